@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import logging
 import math
 import os
 import sys
@@ -37,8 +38,12 @@ if TYPE_CHECKING:
 
 FASTEST = "edge-based"
 PREPARED = "straight-graph"
+BREAK_EVEN = 5
+"""Number of sources from which on it takes less time to prepare PREPARED than to solve exactly."""
 MOST_THREADS = 1024
 MOST_THREADS_THAT_PREPARE = 256
+
+_log = logging.getLogger("geodesic_bench")
 
 OF_OTHER_PACKAGES = {
     "cutoff": "limit",
@@ -352,6 +357,7 @@ class Mesh:
         limit: float | None = None,
         progress: bool = False,
         out: NDArray[Any] | None = None,
+        approximate: bool = False,
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
@@ -375,6 +381,10 @@ class Mesh:
         out : (k, l) array of float64 or float32, optional
             Where the matrix is written, such as a numpy.memmap; only without a limit. Row by row, in any
             order; after Ctrl-C some rows are missing.
+        approximate : bool
+            Choose the solver that takes less time: the exact one for fewer than 5 rows, otherwise
+            straight-graph, whose distances are never too short (docs/approximate.md). The preparation is kept as
+            the solver of the last query. The logger "geodesic_bench" names the choice at level INFO.
         solver : str or Prepared
         parameters
             As in `distances`.
@@ -400,6 +410,13 @@ class Mesh:
         targets = None if columns is None else self._points(columns, "column")
         workers = _number_of_threads(threads)
         name = _name_of_type(out.dtype if dtype is None and isinstance(out, np.ndarray) else dtype)
+        if approximate:
+            if solver != FASTEST or parameters:
+                raise ValueError("approximate=True chooses the solver: leave out solver and its parameters")
+            if len(sources) >= BREAK_EVEN and not self._shared.crosses_non_manifold:
+                solver = PREPARED
+                parameters = {"threads": min(workers, MOST_THREADS_THAT_PREPARE)}
+            _log.info("distance_matrix of %d rows: solver %s", len(sources), solver)
         pool = self._pool(solver, parameters, self.distance_matrix)
         shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:

@@ -1,7 +1,8 @@
-"""A matrix of distances: where it is written."""
+"""A matrix of distances: where it is written, and the solver that is chosen for it."""
 
 from __future__ import annotations
 
+import logging
 import subprocess
 import sys
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from python_package import BUILD, HERE
+from python_package import BUILD, HERE, Arrays
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -48,6 +49,8 @@ def test_a_matrix_is_written_to_an_array_of_any_layout(mesh: Any, dtype: str, tm
         ({"out": np.broadcast_to(0.0, (1, 144))}, "out must be writeable: this array is read-only"),
         ({"out": [[0.0] * 144]}, "out must be an array of numpy, not list"),
         ({"out": np.zeros((1, 144)), "limit": 1}, "a matrix with a limit is sparse: leave out either out or limit"),
+        ({"approximate": True, "solver": "mmp"}, "approximate=True chooses the solver: leave out solver and its"),
+        ({"approximate": True, "alpha": 0.1}, "approximate=True chooses the solver: leave out solver and its"),
     ],
 )  # fmt: skip
 def test_matrices_that_cannot_be_written_are_refused(mesh: Any, options: Any, sentence: str) -> None:
@@ -84,3 +87,24 @@ def test_nothing_is_written_to_an_array_after_ctrl_c() -> None:
     script = INTERRUPTED.format(paths=[str(BUILD / "python"), str(HERE)])
     ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300)
     assert (ended.stdout, ended.stderr) == ("True True\n", "")
+
+
+def test_an_approximate_matrix_is_that_of_the_solver_that_is_logged(
+    mesh: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level(logging.INFO, logger="geodesic_bench")
+    few = mesh.distance_matrix(range(4), approximate=True)
+    many = mesh.distance_matrix(range(5), approximate=True)
+    assert caplog.messages == [
+        "distance_matrix of 4 rows: solver edge-based",
+        "distance_matrix of 5 rows: solver straight-graph",
+    ]
+    np.testing.assert_array_equal(few, mesh.distance_matrix(range(4)))
+    np.testing.assert_array_equal(many, mesh.distance_matrix(range(5), solver="straight-graph"))
+
+
+def test_an_approximate_matrix_across_non_manifold_edges_is_exact(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground, cross_non_manifold=True)
+    np.testing.assert_array_equal(
+        mesh.distance_matrix(range(9), approximate=True), mesh.distance_matrix(range(9))
+    )
