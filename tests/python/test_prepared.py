@@ -123,7 +123,7 @@ def test_a_preparation_of_another_mesh_is_refused(prepared: Any, tmp_path: Path)
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ({"solver": "mmp"}, "mmp prepares nothing that takes long: ask the mesh itself, or prepare straight-graph"),
+        ({"solver": "mmp"}, "mmp prepares nothing that takes long: ask the mesh itself, or prepare saddle-vertex-graph, straight-graph"),
         ({"solver": "edge-based?threads=2"}, "edge-based prepares nothing that takes long"),
         ({"solver": "straight-grph"}, "no solver named 'straight-grph' (did you mean 'straight-graph'?)"),
         ({"solver": None}, "solver must be a name of solvers(), not None"),
