@@ -8,8 +8,9 @@
 
 namespace geodesic {
 
-/// Starts to load the cache line at an address; any address is allowed. The empty volatile statement
-/// is a side effect: without one, GCC takes functions that only prefetch for pure, and drops calls.
+/// Starts to load the cache line at an address; any address is allowed. The empty volatile
+/// statement is a side effect: without one, GCC takes functions that only prefetch for pure, and
+/// drops calls.
 inline void prefetch(const void* address) {
   __builtin_prefetch(address);
   asm volatile("");
