@@ -443,7 +443,7 @@ class Mesh:
         Parameters
         ----------
         solver : str
-            One of `solvers()` that prepares: straight-graph. Its distances are never too short
+            One of `solvers()` that prepares; straight-graph has distances that are never too short
             (docs/approximate.md), and it remembers paths.
         threads : int
             Threads that prepare; 0 for the number of processors. The result does not depend on this number.

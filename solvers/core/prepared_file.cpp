@@ -39,24 +39,6 @@ std::string line_of(std::istream& from) {
   return line;
 }
 
-}  // namespace
-
-void save_prepared(const Solver& solver, std::ostream& to) {
-  if (!solver.description().abilities.saves) {
-    throw std::invalid_argument(solver.description().name +
-                                ": has no preparation that could be saved");
-  }
-  to << kMagic << kFormat << '\n';
-  PreparedWriter writer(to);
-  writer.write_one(kByteOrder);
-  writer.write(std::span<const char>(solver.description().name));
-  writer.write_one(sum_of(solver.mesh()));
-  solver.save(writer);
-  writer.write_one(writer.sum());
-}
-
-namespace {
-
 /// Reads up to the name of the solver.
 std::string read_name(std::istream& from, PreparedReader& reader) {
   const std::string first = line_of(from);
@@ -77,6 +59,20 @@ std::string read_name(std::istream& from, PreparedReader& reader) {
 }
 
 }  // namespace
+
+void save_prepared(const Solver& solver, std::ostream& to) {
+  if (!solver.description().abilities.saves) {
+    throw std::invalid_argument(solver.description().name +
+                                ": has no preparation that could be saved");
+  }
+  to << kMagic << kFormat << '\n';
+  PreparedWriter writer(to);
+  writer.write_one(kByteOrder);
+  writer.write(std::span<const char>(solver.description().name));
+  writer.write_one(sum_of(solver.mesh()));
+  solver.save(writer);
+  writer.write_one(writer.sum());
+}
 
 std::string name_in_prepared(std::istream& from) {
   PreparedReader reader(from);
