@@ -207,8 +207,7 @@ class Paths::Trace {
   /// As follow, if the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
     const bool is_last = is_unknown(piece) && last_piece_ != nullptr;
-    const Search::Piece found =
-        is_last ? *last_piece_ : Search(of_, piece.end, piece.distance, passed_).run();
+    const Search::Piece found = is_last ? *last_piece_ : search_for(piece);
     const double slack = kPathWrong * (piece.distance + mesh_.mean_edge_length());
     if (found.root == kNone || !(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(InternalPoint(end.vertex), end.face, 0);
@@ -219,6 +218,12 @@ class Paths::Trace {
     if (gains) passed_.clear();
     if (!gains && piece.end.is_vertex()) passed_.push_back(piece.end.vertex);
     return found.root;
+  }
+
+  Search::Piece search_for(const Piece& piece) const {
+    Search search(of_, piece.end, piece.distance, passed_);
+    const bool aims = !of_.are_shortest_ && !is_unknown(piece);
+    return aims ? search.run_towards(piece.root, piece.length) : search.run();
   }
 
   /// Adds the points of a piece after its end.

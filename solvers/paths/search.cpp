@@ -95,6 +95,16 @@ Paths::Search::Piece Paths::Search::run() {
   return piece_from(best_);
 }
 
+Paths::Search::Piece Paths::Search::run_towards(Index root, double length) {
+  const Index vertices = mesh_.vertex_count();
+  aim_ = root;
+  aim_position_ = position_of(
+      mesh_, root < vertices ? InternalPoint(root) : of_.source_images_[root - vertices].front());
+  to_aim_ = length;
+  passed_ = {};
+  return run();
+}
+
 /// Considers all roots that are visible from the end.
 void Paths::Search::look_around() {
   ends_.clear();
@@ -201,6 +211,7 @@ bool Paths::Search::may_lead(const View& view) const {
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
   const double nearest = norm(Point2{beside, view.eye.y});
   if (nearest > distance_ + slack_) return false;
+  if (aim_ != kNone) return may_lead_to_aim(view, nearest);
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
     const double known = std::min(of_.distance(v), of_.farthest_);  // a lower bound
@@ -211,6 +222,18 @@ bool Paths::Search::may_lead(const View& view) const {
     if (known - from_vertex > distance_ - from_eye + slack_) return false;
   }
   return true;
+}
+
+/// Whether a line of the known length may lead through a view, judged by the way in space beyond.
+/// @param nearest length from the eye to the view
+bool Paths::Search::may_lead_to_aim(const View& view, double nearest) const {
+  const double length = mesh_.half_edge(view.in).length;
+  const Vec3 &origin = mesh_.position(mesh_.origin(view.in)),
+             &head = mesh_.position(mesh_.head(view.in));
+  const Vec3 side = subtract(head, origin), to_aim = subtract(aim_position_, origin);
+  const double along = dot(side, to_aim) / length;
+  const double at = std::clamp(along, view.begin, view.end) / length;
+  return nearest + norm(subtract(to_aim, scale(at, side))) <= to_aim_ + slack_;
 }
 
 /// Whether another view covers this one, or a line enters a face for the second time: around the
@@ -262,6 +285,7 @@ bool Paths::Search::shows(const View& view, const Point2& place) const {
 }
 
 void Paths::Search::consider(Root root, double before, const Point2& place, const Point2& eye) {
+  if (aim_ != kNone && root.root != aim_) return;
   root.place = place;
   root.before = before;
   root.distance = before + distance_between(place, eye);

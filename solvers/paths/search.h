@@ -19,6 +19,7 @@ namespace geodesic {
 /// If the distances of vertices are only upper bounds (Recording::shortest_paths), so is the
 /// result, with a path of that length. The rule then drops windows only beyond kPathSearchOfBounds:
 /// it keeps the search to the side from which the path comes, and the best vertex may be missed.
+/// A known line to a known root is found without the rule, by straight lines in space.
 ///
 /// Used for points without a LastSegment, and for the few paths whose recorded piece no straight
 /// line follows: it passes a vertex by rounding, or it runs along faces without area.
@@ -62,6 +63,11 @@ class Paths::Search {
   /// Returns the piece of the shortest path; of equally short ones, that with the farthest root.
   Piece run();
 
+  /// Returns the shortest line from a root.
+  /// @param root as in LastSegment
+  /// @param length of the line that leads from it
+  Piece run_towards(Index root, double length);
+
  private:
   /// The part of an edge that is visible from the end through faces, in the frame of the half-edge
   /// whose face lies beyond.
@@ -95,6 +101,7 @@ class Paths::Search {
   /// Adds a view of the visible part of a side.
   void see(Index side, const Point2& eye, double begin, double end, Index before, Index first);
   bool may_lead(const View& view) const;
+  bool may_lead_to_aim(const View& view, double nearest) const;
   bool is_seen(const View& view) const;
   /// Whether a point of the face beyond is visible through a view.
   bool shows(const View& view, const Point2& place) const;
@@ -111,6 +118,9 @@ class Paths::Search {
   double tie_;        ///< paths whose lengths differ by less are equally short
   double slack_ = 0;  ///< tolerance of the distances that rule views out
   std::span<const Index> passed_;
+  Index aim_ = kNone;  ///< the only root that is considered; kNone: all are
+  Vec3 aim_position_;  ///< of that root
+  double to_aim_ = 0;  ///< length of the line from it
   std::vector<End> ends_;
   std::vector<View> views_;
   std::unordered_map<Index, std::vector<Index>> views_of_;  // indices of views, by half-edge

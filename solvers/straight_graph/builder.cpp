@@ -135,4 +135,14 @@ Graph build_graph(const Mesh& mesh, double angle, unsigned threads) {
   return assemble(mesh.vertex_count(), threads, [&] { return Builder(mesh, sectors, angle); });
 }
 
+FollowLinks follow_links_by_angle(const Mesh& mesh, double angle) {
+  return [&mesh, unfolder = Unfolder(mesh, angle)](Index v, const auto& visit) mutable {
+    for (const Index h : mesh.outgoing(v)) {
+      unfolder.follow_from_vertex(h, [&](Index entered, const Point2& apex, const Point2& side) {
+        visit(line_of(mesh, entered, apex, side));
+      });
+    }
+  };
+}
+
 }  // namespace geodesic::straight_graph

@@ -3,6 +3,7 @@
 
 #include "solvers/core/mesh.h"
 #include "solvers/straight_graph/graph.h"
+#include "solvers/straight_graph/line.h"
 
 namespace geodesic::straight_graph {
 
@@ -14,5 +15,8 @@ inline constexpr double kSlack = 1.25;
 /// @param angle least angle of a wedge that is split, in radians (unfold.h)
 /// @param threads at least 1
 Graph build_graph(const Mesh& mesh, double angle, unsigned threads);
+
+/// @return what makes the links of that graph again
+FollowLinks follow_links_by_angle(const Mesh& mesh, double angle);
 
 }  // namespace geodesic::straight_graph

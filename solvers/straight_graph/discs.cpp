@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "solvers/core/queues/key_heap.h"
@@ -37,8 +38,20 @@ class Disc {
     for (const Index u : final_) link(u, kInfinity);
     block.link_count = static_cast<std::uint32_t>(links_.size()) - block.edge_count;
     append_block(block, links_, lines);
-    for (const Index u : touched_) reached_[u] = {};
-    touched_.clear();
+    forget();
+  }
+
+  /// Calls visit(Line) for the links of a vertex that are no edges.
+  template <class Visit>
+  void for_each_line(Index v, const Visit& visit) {
+    spread(v);
+    for (const Index u : final_) {
+      const Reached& at = reached_[u];
+      if (at.line == kInfinity || at.window == kNone) continue;
+      const Waiting& w = windows_[at.window];
+      visit({w.half_edge, at.line, {w.x, w.y}});
+    }
+    forget();
   }
 
  private:
@@ -46,6 +59,7 @@ class Disc {
     double distance = kInfinity;
     double line = kInfinity;  ///< length of a straight line, if that is no longer than `distance`
     bool is_linked = false;
+    Index window = kNone;  ///< by which the line came; kNone along an edge
   };
   struct Waiting : Window {
     Index half_edge;   ///< the window is in its frame
@@ -65,6 +79,11 @@ class Disc {
   /// its end.
   static bool has_area(const HalfEdge& e) { return e.apex_y > kFlatFace * e.length; }
 
+  void forget() {
+    for (const Index u : touched_) reached_[u] = {};
+    touched_.clear();
+  }
+
   /// Fills final_ with the nearest vertices of v, and reaches all neighbours.
   void spread(Index v) {
     queue_.clear();
@@ -78,7 +97,7 @@ class Disc {
       const auto next = queue_.pop();
       if (next.item >= mesh_.vertex_count()) {
         --most;
-        cross_face(Waiting(windows_[next.item - mesh_.vertex_count()]));
+        cross_face(next.item - mesh_.vertex_count());
       } else if (next.key_value() == reached_[next.item].distance) {
         final_.push_back(next.item);
         if (mesh_.is_pseudo_source(next.item)) leave(next.item, false);
@@ -90,11 +109,11 @@ class Disc {
     queue_.push({std::bit_cast<std::uint64_t>(key), ++serial_, item});
   }
 
-  void reach(Index u, double distance, bool is_line) {
+  void reach(Index u, double distance, bool is_line, Index window = kNone) {
     Reached& at = reached_[u];
     if (!(distance < at.distance)) return;
     if (at.distance == kInfinity) touched_.push_back(u);
-    at = {distance, is_line ? distance : kInfinity, false};
+    at = {distance, is_line ? distance : kInfinity, false, window};
     push(distance, u);
   }
 
@@ -127,7 +146,8 @@ class Disc {
     windows_.push_back(w);
   }
 
-  void cross_face(const Waiting& w) {
+  void cross_face(Index window) {
+    const Waiting w = windows_[window];
     const Index h = w.half_edge;
     const FaceFrame face = face_frame(mesh_, h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
@@ -136,7 +156,7 @@ class Disc {
     if (left && right) {
       // A line that touches a vertex begins a new one there: seen from its end it may not exist.
       const bool is_line = is_straight && !sight.at_begin() && !sight.at_end();
-      reach(mesh_.apex(h), distance_through(w, face.apex_x, face.apex_y), is_line);
+      reach(mesh_.apex(h), distance_through(w, face.apex_x, face.apex_y), is_line, window);
     } else if (sight.reaches()) {
       reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y), false);
     }
@@ -171,6 +191,12 @@ class Disc {
 
 Graph build_disc_graph(const Mesh& mesh, Index size, unsigned threads) {
   return assemble(mesh.vertex_count(), threads, [&] { return Disc(mesh, size); });
+}
+
+FollowLinks follow_links_of_disc(const Mesh& mesh, Index size) {
+  return [disc = std::make_shared<Disc>(mesh, size)](Index v, const auto& visit) {
+    disc->for_each_line(v, visit);
+  };
 }
 
 }  // namespace geodesic::straight_graph

@@ -6,6 +6,7 @@
 
 #include "solvers/core/mesh.h"
 #include "solvers/straight_graph/graph.h"
+#include "solvers/straight_graph/line.h"
 
 namespace geodesic::straight_graph {
 
@@ -13,5 +14,8 @@ namespace geodesic::straight_graph {
 /// @param size number of nearest vertices, at least 1
 /// @param threads at least 1
 Graph build_disc_graph(const Mesh& mesh, Index size, unsigned threads);
+
+/// @return what makes the links of that graph again
+FollowLinks follow_links_of_disc(const Mesh& mesh, Index size);
 
 }  // namespace geodesic::straight_graph

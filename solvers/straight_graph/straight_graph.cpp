@@ -46,6 +46,9 @@ struct ByAngle {
     return build_graph(mesh, description.real("alpha"), threads);
   }
   static double angle(const Description& description) { return description.real("alpha"); }
+  static FollowLinks follow_links(const Mesh& mesh, const Description& description) {
+    return follow_links_by_angle(mesh, angle(description));
+  }
 };
 
 /// All links of a disc, which need no finer fan at sources.
@@ -54,6 +57,9 @@ struct ByDisc {
     return build_disc_graph(mesh, description.integer("disc"), threads);
   }
   static double angle(const Description& /*description*/) { return kFanAngle; }
+  static FollowLinks follow_links(const Mesh& mesh, const Description& description) {
+    return follow_links_of_disc(mesh, description.integer("disc"));
+  }
 };
 
 /// @tparam Links which links a vertex has: the graph, and the angle between its links
@@ -103,7 +109,8 @@ class StraightGraph final : public Solver {
     }
     std::vector<Index> roots(distances.size(), kNone);
     search_.run(query, distances, roots);
-    record_last_links(mesh(), query, Links::angle(description()), distances, roots, *recording);
+    record_last_links(mesh(), query, Links::angle(description()), distances, roots,
+                      Links::follow_links(mesh(), description()), *recording);
   }
 
   std::shared_ptr<const Graph> graph_;

@@ -7,10 +7,11 @@
 // are reached form the Stern-Brocot tree of directions, cut off at that angle.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "solvers/core/window.h"
+#include "solvers/straight_graph/line.h"
 
 namespace geodesic::straight_graph {
 
@@ -20,6 +21,18 @@ inline double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b
 /// A vector given in a frame whose x axis has this direction.
 inline Point2 turned(const Point2& axis, const Point2& v) {
   return {axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y};
+}
+
+/// The line to an apex, in the frame of the half-edge through which it enters the apex's face.
+/// Differences of places in the plane would lose digits where the line is far longer than the
+/// edges.
+/// @param h, apex, side as Unfolder::follow passes them
+inline Line line_of(const Mesh& mesh, Index h, const Point2& apex, const Point2& side) {
+  const FaceFrame face = face_frame(mesh, h);
+  const Point2 along = turned(side, {face.left_x, -face.left_y});
+  return {h,
+          norm(apex),
+          {face.apex_x - dot(along, apex), std::min(face.apex_y - cross(along, apex), 0.0)}};
 }
 
 class Unfolder {
@@ -89,7 +102,7 @@ class Unfolder {
     bool is_alive = is_wide(right, left);
     for (int faces = 0;;) {
       if (is_alive && w.enter != kNone && ++faces <= most_faces_) {
-        is_alive = may_enter(w) && cross_face(w);
+        is_alive = has_length(w.enter) && may_enter(w) && cross_face(w);
         continue;
       }
       if (splits_.empty()) return;
@@ -118,6 +131,9 @@ class Unfolder {
     const double d = dot(right, left);
     return !(d > 0) || cross(right, left) > tangent_ * d;
   }
+
+  /// Across an edge without length no direction continues.
+  bool has_length(Index h) const { return mesh_.half_edge(h).length > 0; }
 
   /// A ray through a vertex reaches what lies behind that vertex, which is none of the wedge's.
   bool is_left(const Point2& right, const Point2& left) const {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,21 @@ TEST(StraightGraphPaths, between_points_of_neighbouring_faces_are_straight) {
     const double line = norm(subtract(position_of(mesh, to), position_of(mesh, from)));
     EXPECT_NEAR(paths.distance_to_target(0), line, kExact);
     EXPECT_EQ(paths.to_target(0).points.size(), 3U);
+  }
+}
+
+// Seen from a face without area, faces beyond an edge without length lie in no direction.
+TEST(StraightGraphPaths, from_a_face_without_area_bend_at_a_collapsed_edge) {
+  const Mesh mesh({.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1.5, -0.5, 0}, {0.5, 0, 0}},
+                   .triangles = {{0, 1, 4}, {1, 0, 2}, {1, 2, 3}}});
+  const SurfacePoint from = point_in_face(mesh, 0, {0.125, 0.625, 0.25});
+  const SurfacePoint to = point_on_edge(mesh, 1, 3, 0.5);
+  const double length = 0.25 + std::sqrt(0.125);
+  for (const auto& [a, b] : {std::pair{from, to}, {to, from}}) {
+    const Query query{.sources = {{a}}, .targets = {b}};
+    const Paths paths = paths_by("straight-graph", mesh, query);
+    EXPECT_NEAR(paths.distance_to_target(0), length, kExact);
+    EXPECT_NEAR(paths.to_target(0).length(), length, kExact);
   }
 }
 
