@@ -1,5 +1,5 @@
-"""Number of sources from which a heat method, which first factorises a matrix, is faster than the
-exact solver; and the errors of its answers."""
+"""Number of sources from which a solver that prepares first (a heat method factorises a matrix) is faster
+than the exact solver; and the errors of its answers."""
 
 from __future__ import annotations
 
@@ -28,46 +28,51 @@ LEAST_MESHES = 2
 
 @dataclass(frozen=True)
 class Point:
-    """Medians over sources and repetitions of a heat method and the exact solver on one mesh."""
+    """Medians over sources and repetitions of a prepared solver and the exact one on one mesh."""
 
     mesh: Mesh
     preparations: tuple[float, float]
-    """Times of the heat method and of the exact solver in seconds; so are `furthers`."""
+    """Times of the prepared solver and of the exact one in seconds; so are `furthers`."""
     furthers: tuple[float, float]
     sources: Estimate
-    """Number of sources from which the heat method takes less total time; infinite if it never does."""
+    """Number of sources from which the prepared solver takes less total time; infinite if it never does."""
     mean_error: float
     largest_error: float
 
 
 def break_even(preparations: tuple[float, float], furthers: tuple[float, float]) -> float:
     """Returns the number of sources n for which preparation + n * further is equal for both solvers:
-    at least 0, and infinite if a further answer of the heat method is not faster.
+    at least 0, and infinite if a further answer of the prepared solver is not faster.
 
-    @param preparations, furthers of the heat method and of the exact solver, in one unit"""
+    @param preparations, furthers of the prepared solver and of the exact one, in one unit"""
     saved = furthers[1] - furthers[0]
     return max(0.0, (preparations[0] - preparations[1]) / saved) if saved > 0 else math.inf
 
 
 def series(run: Run) -> tuple[str, dict[str, list[Point]]]:
-    """Returns the exact solver and, by heat method, the points of the meshes that both solvers answered,
-    sorted by vertices. @raises ResultError if no heat method has two such meshes"""
+    """Returns the exact solver and, by prepared solver, the points of the meshes that both solvers answered,
+    sorted by vertices. A prepared solver is inexact, and on each mesh its preparation takes longer than a
+    further answer of the exact one. @raises ResultError if none has two such meshes"""
     exact = baseline(run, EDGE_BASED)
     meshes = sorted(run.meshes.values(), key=lambda mesh: mesh.vertices)
-    heats = [solver for solver in columns(run) if run.solvers[solver].base.endswith("heat")]
-    found = {heat: [p for mesh in meshes if (p := _point(run, mesh, heat, exact))]
-             for heat in heats}  # fmt: skip
-    long = {heat: points for heat, points in found.items() if len(points) >= LEAST_MESHES}
-    if not long:
+    inexact = [solver for solver in columns(run) if not run.solvers[solver].exact]
+    found = {solver: [p for mesh in meshes if (p := _point(run, mesh, solver, exact))]
+             for solver in inexact}  # fmt: skip
+    prepared = {
+        solver: points
+        for solver, points in found.items()
+        if len(points) >= LEAST_MESHES and all(p.preparations[0] > p.furthers[1] for p in points)
+    }
+    if not prepared:
         raise ResultError(
-            f"{run.file}: no heat method and exact solver with the times of {LEAST_MESHES} meshes; "
+            f"{run.file}: no prepared solver and exact one with the times of {LEAST_MESHES} meshes; "
             "run --corpus break-even --peers all"
         )
-    return exact, long
+    return exact, prepared
 
 
-def _point(run: Run, mesh: Mesh, heat: str, exact: str) -> Point | None:
-    prepared, solved = ([times(run, mesh.name, s, time) for s in (heat, exact)]
+def _point(run: Run, mesh: Mesh, solver: str, exact: str) -> Point | None:
+    prepared, solved = ([times(run, mesh.name, s, time) for s in (solver, exact)]
                         for time in (preparation, further))  # fmt: skip
     pairs = solved[0].keys() & solved[1].keys()
     if not pairs:
@@ -78,11 +83,11 @@ def _point(run: Run, mesh: Mesh, heat: str, exact: str) -> Point | None:
     }
 
     def middle(times: list[dict[tuple[Source, int], float]]) -> tuple[float, float]:
-        heat_time, exact_time = (median(by_source(each)).value for each in times)
-        return heat_time, exact_time
+        own, exact_time = (median(by_source(each)).value for each in times)
+        return own, exact_time
 
-    mean = errors(run, mesh.name, heat, "mean_relative_error")
-    largest = errors(run, mesh.name, heat, "max_relative_error")
+    mean = errors(run, mesh.name, solver, "mean_relative_error")
+    largest = errors(run, mesh.name, solver, "max_relative_error")
     return Point(
         mesh, middle(prepared), middle(solved), _over(by_source(numbers)),
         median([mean]).value if mean else math.nan, max(largest, default=math.nan),
@@ -101,23 +106,23 @@ def table(run: Run) -> Table:
     exact, found = series(run)
     return Table(
         name="break_even_numbers",
-        title=f"From how many sources on a heat method is faster than {exact}",
+        title=f"From how many sources on a prepared solver is faster than {exact}",
         header=[
             "Solver", "Mesh", "n", "Preparation", f"of {exact}", "Each further", f"of {exact} ",
             "Break-even (sources)", "Mean error", "Largest error",
         ],
         text_columns=2,
-        rows=[_row(heat, point) for heat, points in found.items() for point in points],
+        rows=[_row(solver, point) for solver, points in found.items() for point in points],
         remarks=[
             "The time of n sources is the preparation plus n times each further. From the break-even on, the "
-            f"heat method takes less time in total than {exact}. It is computed for each source and repetition "
+            f"prepared solver takes less time in total than {exact}. It is computed for each source and repetition "
             "that both have: medians with 95% bootstrap intervals. Errors are relative, the median "
             "over sources of the mean over vertices, and the largest.",
         ],
     )
 
 
-def _row(heat: str, point: Point) -> list[Field]:
+def _row(solver: str, point: Point) -> list[Field]:
     def seconds(value: float) -> Field:
         return Field(time_unit([value]).text(value), value)
 
@@ -125,7 +130,7 @@ def _row(heat: str, point: Point) -> list[Field]:
         return Field(ERROR.show(value), value) if math.isfinite(value) else Field("not known")
 
     return [
-        Field(heat),
+        Field(solver),
         Field(point.mesh.name),
         Field(count(point.mesh.vertices), point.mesh.vertices),
         *map(seconds, point.preparations),
@@ -149,8 +154,8 @@ def figure(run: Run) -> Drawing:
     picture = style.new_figure(3.4)
     left, right = picture.subplots(1, 2)
     surfaces = {surface(point.mesh) for points in found.values() for point in points}
-    for heat, points in found.items():
-        look = styles[heat]
+    for solver, points in found.items():
+        look = styles[solver]
         line = {"color": look.color, "marker": look.marker, "markersize": 4.5}
         # No line joins meshes of different surfaces: values between them are not known.
         joined = look.line if len(surfaces) == 1 else ""
@@ -172,22 +177,22 @@ def figure(run: Run) -> Drawing:
         if axes.lines:
             logarithmic(axes.xaxis, axes.yaxis)
     handles = [
-        Line2D([], [], color=styles[h].color, marker=styles[h].marker, markersize=4.5,
-               linestyle=styles[h].line if len(surfaces) == 1 else "", label=style.plain(h))
-        for h in found
+        Line2D([], [], color=styles[s].color, marker=styles[s].marker, markersize=4.5,
+               linestyle=styles[s].line if len(surfaces) == 1 else "", label=style.plain(s))
+        for s in found
     ]  # fmt: skip
     for words, fill in [("mean error", style.PALE), ("largest error", "white")]:
         handles.append(Line2D([], [], color=style.PALE, marker="o", markersize=4.5, linestyle="",
                               markerfacecolor=fill, label=words))  # fmt: skip
     style.legend_above(picture, handles)
     return Drawing(
-        title=f"From how many sources on a heat method is faster than {exact}",
+        title=f"From how many sources on a prepared solver is faster than {exact}",
         caption=sentences(
-            f"Left: the number of sources whose answers take a heat method and {exact} the same "
+            f"Left: the number of sources whose answers take a prepared solver and {exact} the same "
             "time, preparation included; medians over sources and repetitions with 95% bootstrap "
-            f"intervals. With fewer sources {exact} is faster. Right: the relative errors of the heat "
-            "methods, mean and largest.",
-            *(_sentence(heat, exact, points) for heat, points in found.items()),
+            f"intervals. With fewer sources {exact} is faster. Right: the relative errors of the "
+            "prepared solvers, mean and largest.",
+            *(_sentence(solver, exact, points) for solver, points in found.items()),
         ),
         figure=picture,
     )
@@ -204,7 +209,7 @@ def _draw_sources(axes: Axes, points: list[Point], line: dict[str, object], dash
     )  # fmt: skip
 
 
-def _sentence(heat: str, exact: str, points: list[Point]) -> str:
+def _sentence(solver: str, exact: str, points: list[Point]) -> str:
     """Returns a sentence on the break-even on the smallest and on the largest mesh."""
     words = [
         f"{_many(point.sources.value)} at {count(point.mesh.vertices)} vertices"
@@ -212,7 +217,7 @@ def _sentence(heat: str, exact: str, points: list[Point]) -> str:
     ]
     worst = max((p.mean_error for p in points if math.isfinite(p.mean_error)), default=math.nan)
     error = f", with a mean error of up to {percent(worst)}" if math.isfinite(worst) else ""
-    return f"{heat} is faster than {exact} from {' and '.join(words)} on{error}."
+    return f"{solver} is faster than {exact} from {' and '.join(words)} on{error}."
 
 
 def _many(value: float) -> str:

@@ -259,6 +259,10 @@ def test_both_have_taken_the_same_time_after_the_break_even(
 
 
 def heat_run() -> Run:
+    return heat_run_beside([])
+
+
+def heat_run_beside(others: list[Data]) -> Run:
     """Break-even at 4.5 sources on the small mesh. On the large mesh the exact solver is always faster."""
     errors: Data = {"max_relative_error": 0.9, "mean_relative_error": 0.04}
     return run_of(
@@ -267,6 +271,7 @@ def heat_run() -> Run:
             row("my-heat", prepare_time=10, cpu_time=1, **errors),
             row("edge-based", "knot-100k", prepare_time=1, cpu_time=3),
             row("my-heat", "knot-100k", prepare_time=10, cpu_time=4, **errors),
+            *others,
         ]
     )
 
@@ -285,6 +290,12 @@ def test_the_caption_says_from_how_many_sources_on() -> None:
         "my-heat is faster than edge-based from 5 sources at 1,000 vertices and no number of "
         "sources at 100,000 vertices on, with a mean error of up to 4%." in drawn.caption
     )
+
+
+def test_solvers_whose_preparation_is_shorter_than_an_exact_answer_have_no_break_even() -> None:
+    quick: Data = {"prepare_time": 2, "cpu_time": 1, "max_relative_error": 0.9}
+    run = heat_run_beside([row("quick", mesh, **quick) for mesh in MESHES])
+    assert {row[0].text for row in break_even.table(run).rows} == {"my-heat"}
 
 
 def test_one_mesh_has_no_break_even_over_size() -> None:
