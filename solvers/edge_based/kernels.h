@@ -23,7 +23,7 @@ struct Kernels {
 
   /// Marks the sides on which the lines of each window pass the apex, and unfolds the windows onto
   /// the left and right edges. A window that passes the apex on both sides reaches up to it.
-  /// @param left, right empty segments with room for all windows and lanes - 1 more
+  /// @param left, right empty segments with room for all windows, in whole vectors
   /// @return the window that gives the least distance to the apex
   ApexWinner (*unfold)(Batch& batch, const FaceFrame& face, Segment& left, Segment& right);
 

@@ -80,8 +80,8 @@ class ListCrossing {
     if constexpr (Recorder::kRemembers) hand_over(h, recorder);
 
     const FaceFrame face = face_frame(mesh_, h);
-    Segment* left = lists_.allocate(batch_.count + kernels_.lanes - 1);
-    Segment* right = lists_.allocate(batch_.count + kernels_.lanes - 1);
+    Segment* left = lists_.allocate(batch_.count);
+    Segment* right = lists_.allocate(batch_.count);
     const ApexWinner winner = kernels_.unfold(batch_, face, *left, *right);
     if (winner.window != SIZE_MAX) {
       wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });

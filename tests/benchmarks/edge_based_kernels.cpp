@@ -18,8 +18,8 @@ struct Crossing {
     const auto count = static_cast<std::size_t>(state.range(0));
     segment = lists.allocate(count);
     for (const Window& w : microbench::windows_in_order(count)) segment->add(w);
-    to_left = lists.allocate(count + kMostLanes - 1);
-    to_right = lists.allocate(count + kMostLanes - 1);
+    to_left = lists.allocate(count);
+    to_right = lists.allocate(count);
     gather();
   }
 

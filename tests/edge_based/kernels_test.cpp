@@ -36,7 +36,7 @@ Problem random_problem(Random& random, std::size_t count) {
 /// Runs all kernels on one list of windows.
 Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::plain)) {
   const Kernels& kernels = kernels_of(set, Carried::nothing);
-  WindowLists lists(1, kDepth);
+  WindowLists lists(1, kDepth, kernels.lanes);
   Segment* segment = lists.allocate(p.windows.size());
   for (const Window& w : p.windows) segment->add(w);
   const EndpointBounds bounds(p.face.length, p.at_origin, p.at_head);
@@ -60,8 +60,7 @@ Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::pl
   if (count == 0) return steps;
   kernels.trim(trimmed, {p.face.length, p.face.apex_x, -p.face.apex_y});
   steps.trimmed = windows_of(trimmed);
-  Segment *to_left = lists.allocate(count + kMostLanes),
-          *to_right = lists.allocate(count + kMostLanes);
+  Segment *to_left = lists.allocate(count), *to_right = lists.allocate(count);
   steps.winner = kernels.unfold(batch, p.face, *to_left, *to_right);
   steps.to_left = windows_of(*to_left);
   steps.to_right = windows_of(*to_right);
