@@ -77,13 +77,16 @@ class Unfolder {
   }
 
   /// Follows all lines from a point through a half-edge, as `follow`. The axes of the plane are
-  /// those of the twin's frame.
+  /// those of the twin's frame. A point at an end of the half-edge sees nothing through it: by
+  /// rounding, its lines have no direction.
   /// @param from the point in the frame of the twin (spread_from)
   template <class Reach, class MayEnter = Always>
   void follow_from_point(Index h, const Point2& from, const Reach& reach,
                          const MayEnter& may_enter = {}) {
-    follow(mesh_.twin(h), {-from.x, -from.y}, {mesh_.half_edge(h).length - from.x, -from.y}, {1, 0},
-           reach, may_enter);
+    const double length = mesh_.half_edge(h).length;
+    const Point2 left = {-from.x, -from.y}, right = {length - from.x, -from.y};
+    if (2 * std::min(norm(left), norm(right)) < kCoordinateRounding * length) return;
+    follow(mesh_.twin(h), left, right, {1, 0}, reach, may_enter);
   }
 
   /// Follows all lines from the origin of a plane through an edge.

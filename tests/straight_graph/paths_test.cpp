@@ -141,5 +141,29 @@ TEST(StraightGraphPaths, from_a_face_without_area_bend_at_a_collapsed_edge) {
   }
 }
 
+// Lines from such a point have no direction through the sides that begin there.
+TEST(StraightGraphPaths, from_points_of_collapsed_edges_are_nowhere_shorter_than_the_distance) {
+  const TriangleSoup tube = generate("needles", {{"sides", 6}, {"rows", 3}});
+  Index points = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const Mesh mesh(with_collapsed_edges(tube, seed, 8));
+    const std::vector<SurfacePoint> targets = points_of(mesh, 30);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      if (mesh.half_edge(h).length > 0) continue;
+      std::array<double, 3> weights = {0, 0, 0};
+      weights[h % 3] = 0.6;
+      weights[Mesh::next(h) % 3] = 0.4;
+      const Query query{.sources = {{point_in_face(mesh, h / 3, weights)}}, .targets = targets};
+      const Paths paths = paths_by("straight-graph", mesh, query);
+      const Paths exact = paths_by("edge-based", mesh, query);
+      ++points;
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        EXPECT_GE(paths.distance_to_target(i), exact.distance_to_target(i) * (1 - kExact));
+      }
+    }
+  }
+  EXPECT_GT(points, 20U);
+}
+
 }  // namespace
 }  // namespace geodesic
