@@ -7,10 +7,10 @@
 #pragma once
 
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "solvers/core/solver.h"
+#include "solvers/paths/distance_field.h"
 
 namespace geodesic {
 
@@ -26,7 +26,7 @@ class Paths {
   Paths(const Mesh& mesh, const Query& query, std::vector<double> distances, Recording recording);
 
   /// Distances of all vertices, as from Solver::solve.
-  const std::vector<double>& distances() const& { return distances_; }
+  const std::vector<double>& distances() const& { return field_.by_external_number(); }
   const std::vector<double>& distances() const&& = delete;
   /// Distance of the query's target i, as exact as those of the vertices; infinite if unreachable.
   double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
@@ -55,27 +55,14 @@ class Paths {
   std::vector<Index> nearest_sources() const;
 
  private:
-  class Search;
-  class Trace;
-
-  // Below, vertices and half-edges have the mesh's internal numbers.
-  double distance(Index v) const { return distances_[mesh_.numbers().external_vertex(v)]; }
+  // Vertices and half-edges have the mesh's internal numbers.
   Index internal_vertex(Index given) const;
-  /// Whether a straight piece may end at v: at pseudo-sources and at sources of the query, or
-  /// anywhere if paths are not shortest ones.
-  bool may_bend(Index v) const;
   /// Source of the path to v; nullopt if the root of its last segment must be followed.
   std::optional<Index> source_here(Index v) const;
 
-  const Mesh& mesh_;
-  InternalQuery query_;
-  bool are_shortest_;              // Recording::shortest_paths
-  std::vector<double> distances_;  // by external number
+  DistanceField field_;
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
-  double farthest_ = kInfinity;                 // vertices farther than this have no distance
-  std::unordered_map<Index, Index> source_at_;  // at a vertex: the source of least distance
-  std::vector<std::vector<InternalPoint>> source_images_;  // by source; empty for one at a vertex
 };
 
 /// Solves a query for its distances and paths.

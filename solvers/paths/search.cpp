@@ -54,10 +54,10 @@ double rounding(const Point2& eye, double length) { return kPathThrough * (norm(
 
 }  // namespace
 
-Paths::Search::Search(const Paths& of, const InternalPoint& end, double distance,
-                      std::span<const Index> passed)
-    : of_(of),
-      mesh_(of.mesh_),
+PathSearch::PathSearch(const DistanceField& field, const InternalPoint& end, double distance,
+                       std::span<const Index> passed)
+    : field_(field),
+      mesh_(field.mesh()),
       end_(end),
       distance_(distance),
       tie_(kPathThrough * distance),
@@ -65,28 +65,28 @@ Paths::Search::Search(const Paths& of, const InternalPoint& end, double distance
 
 // A search takes longer with a looser bound. If a search finds a distance within its bound, that is
 // the distance. It lies between bounds from the distances of the corners.
-Paths::Search::Piece Paths::Search::from_face(const Paths& of, const InternalPoint& end) {
-  double most = of.farthest_, least = 0;
+PathSearch::Piece PathSearch::from_face(const DistanceField& field, const InternalPoint& end) {
+  double most = field.farthest(), least = 0;
   const auto reach = [&](Index h, const Point2&, double length, bool) {
-    const double corner = of.distance(of.mesh_.apex(h));
+    const double corner = field[field.mesh().apex(h)];
     most = std::min(most, corner + length);
     if (corner < kInfinity) least = std::max(least, corner - length);
   };
-  spread_from(of.mesh_, end, reach, [](Index, const Point2&) {});
+  spread_from(field.mesh(), end, reach, [](Index, const Point2&) {});
   if (most == kInfinity) return {};
   Piece found;
   for (double share = 1.0 / 16; share <= 1; share *= 2) {
     const double bound = share == 1 ? most : least + share * (most - least);
-    found = Search(of, end, bound, {}).run();
+    found = PathSearch(field, end, bound, {}).run();
     if (found.distance <= bound) return found;
   }
   // The way over a corner has another length here by rounding.
-  found.distance = most < of.farthest_ ? most : kInfinity;
+  found.distance = most < field.farthest() ? most : kInfinity;
   return found;
 }
 
-Paths::Search::Piece Paths::Search::run() {
-  const double least = of_.are_shortest_ ? kPathSearch : kPathSearchOfBounds;
+PathSearch::Piece PathSearch::run() {
+  const double least = field_.are_shortest() ? kPathSearch : kPathSearchOfBounds;
   for (const double share : {least, kPathWrong}) {
     slack_ = share * (distance_ + mesh_.mean_edge_length());
     look_around();
@@ -95,18 +95,18 @@ Paths::Search::Piece Paths::Search::run() {
   return piece_from(best_);
 }
 
-Paths::Search::Piece Paths::Search::run_towards(Index root, double length) {
+PathSearch::Piece PathSearch::run_towards(Index root, double length) {
   const Index vertices = mesh_.vertex_count();
   aim_ = root;
   aim_position_ = position_of(
-      mesh_, root < vertices ? InternalPoint(root) : of_.source_images_[root - vertices].front());
+      mesh_, root < vertices ? InternalPoint(root) : field_.images(root - vertices).front());
   to_aim_ = length;
   passed_ = {};
   return run();
 }
 
 /// Considers all roots that are visible from the end.
-void Paths::Search::look_around() {
+void PathSearch::look_around() {
   ends_.clear();
   views_.clear();
   views_of_.clear();
@@ -127,7 +127,7 @@ void Paths::Search::look_around() {
 }
 
 /// Starts at the end or at a vertex at the same position; such vertices are appended to `ends_`.
-void Paths::Search::start_at_vertex(Index i) {
+void PathSearch::start_at_vertex(Index i) {
   for (const Index outgoing : mesh_.outgoing(ends_[i].vertex)) {
     const Index h = Mesh::next(outgoing), back = Mesh::next(h);
     if (mesh_.half_edge(outgoing).length == 0) add_end(mesh_.head(outgoing), h / 3, i);
@@ -137,17 +137,17 @@ void Paths::Search::start_at_vertex(Index i) {
   }
 }
 
-void Paths::Search::add_end(Index vertex, Index face, Index before) {
+void PathSearch::add_end(Index vertex, Index face, Index before) {
   if (!is_end(vertex)) ends_.push_back({vertex, face, before});
 }
 
-bool Paths::Search::is_end(Index vertex) const {
+bool PathSearch::is_end(Index vertex) const {
   return std::ranges::find(ends_, vertex, &End::vertex) != ends_.end();
 }
 
 /// @param eye the end in the frame of h, which is one side of a face of the end
 /// @param under the half-edge on which the end lies; the face beyond has its own image of it
-void Paths::Search::start(Index h, const Point2& eye, Index under, Index end) {
+void PathSearch::start(Index h, const Point2& eye, Index under, Index end) {
   const double length = mesh_.half_edge(h).length;
   const Root root{.half_edge = h, .end = end};
   consider_vertex(mesh_.origin(h), {0, 0}, eye, root);
@@ -157,7 +157,7 @@ void Paths::Search::start(Index h, const Point2& eye, Index under, Index end) {
   see(h, {length - eye.x, -eye.y}, 0, length, kNone, end);
 }
 
-void Paths::Search::look_beyond(Index view) {
+void PathSearch::look_beyond(Index view) {
   const View seen = views_[view];
   const FaceFrame f = face_frame(mesh_, seen.in);
   const Point2 apex{f.apex_x, f.apex_y};
@@ -183,8 +183,8 @@ void Paths::Search::look_beyond(Index view) {
   }
 }
 
-void Paths::Search::see(Index side, const Point2& eye, double begin, double end, Index before,
-                        Index first) {
+void PathSearch::see(Index side, const Point2& eye, double begin, double end, Index before,
+                     Index first) {
   mesh_.for_each_sheet(side, [&](Index sheet) {
     const View view{mesh_.twin(sheet),
                     {eye.x, std::min(eye.y, 0.0)},
@@ -200,7 +200,7 @@ void Paths::Search::see(Index side, const Point2& eye, double begin, double end,
 }
 
 /// Whether the path may run through a view, judged by the distances of the edge's ends.
-bool Paths::Search::may_lead(const View& view) const {
+bool PathSearch::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
   // An edge without length has no frame; its ends are handled as vertices.
   if (length == 0) return false;
@@ -214,7 +214,7 @@ bool Paths::Search::may_lead(const View& view) const {
   if (aim_ != kNone) return may_lead_to_aim(view, nearest);
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
-    const double known = std::min(of_.distance(v), of_.farthest_);  // a lower bound
+    const double known = std::min(field_[v], field_.farthest());  // a lower bound
     if (known == kInfinity) continue;
     // The distance from the eye minus that from the vertex is least at the far end.
     const double far = head ? view.begin : view.end, from_vertex = head ? length - far : far;
@@ -226,7 +226,7 @@ bool Paths::Search::may_lead(const View& view) const {
 
 /// Whether a line of the known length may lead through a view, judged by the way in space beyond.
 /// @param nearest length from the eye to the view
-bool Paths::Search::may_lead_to_aim(const View& view, double nearest) const {
+bool PathSearch::may_lead_to_aim(const View& view, double nearest) const {
   const double length = mesh_.half_edge(view.in).length;
   const Vec3 &origin = mesh_.position(mesh_.origin(view.in)),
              &head = mesh_.position(mesh_.head(view.in));
@@ -239,7 +239,7 @@ bool Paths::Search::may_lead_to_aim(const View& view, double nearest) const {
 /// Whether another view covers this one, or a line enters a face for the second time: around the
 /// tip of needles, or among faces without area, lines continue without end, which no shortest path
 /// does.
-bool Paths::Search::is_seen(const View& view) const {
+bool PathSearch::is_seen(const View& view) const {
   for (Index i = view.before; i != kNone; i = views_[i].before) {
     if (views_[i].in / 3 == view.in / 3) return true;
   }
@@ -254,37 +254,37 @@ bool Paths::Search::is_seen(const View& view) const {
 }
 
 /// @param place, eye in the frame of the root's half-edge
-void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
-  const double before = of_.distance(v);
-  if (before > distance_ || !of_.may_bend(v)) return;
+void PathSearch::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
+  const double before = field_[v];
+  if (before > distance_ || !field_.may_bend(v)) return;
   // Vertices at the position of the end are skipped, except sources.
-  if (is_end(v) && (end_.vertex == v || !of_.source_at_.contains(v))) return;
+  if (is_end(v) && (end_.vertex == v || field_.source_at(v) == kNone)) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
   root.at = InternalPoint(v);
   consider(root, before, place, eye);
 }
 
-void Paths::Search::consider_sources(const Point2& eye, Root root) {
-  for (Index i = 0; i < of_.source_images_.size(); ++i) {
-    for (const InternalPoint& source : of_.source_images_[i]) {
+void PathSearch::consider_sources(const Point2& eye, Root root) {
+  for (Index i = 0; i < field_.query().sources.size(); ++i) {
+    for (const InternalPoint& source : field_.images(i)) {
       if (source.face != root.half_edge / 3) continue;
       const Point2 place = in_frame(mesh_, source, root.half_edge);
       if (root.view != kNone && !shows(views_[root.view], place)) continue;
       root.root = mesh_.vertex_count() + i;
-      root.at = of_.source_images_[i].front();
-      consider(root, of_.query_.sources[i].distance, place, eye);
+      root.at = field_.images(i).front();
+      consider(root, field_.query().sources[i].distance, place, eye);
     }
   }
 }
 
-bool Paths::Search::shows(const View& view, const Point2& place) const {
+bool PathSearch::shows(const View& view, const Point2& place) const {
   const double slack = rounding(view.eye, mesh_.half_edge(view.in).length);
   return to_begin(view, slack).across(place) <= slack &&
          to_end(view, slack).across(place) >= -slack;
 }
 
-void Paths::Search::consider(Root root, double before, const Point2& place, const Point2& eye) {
+void PathSearch::consider(Root root, double before, const Point2& place, const Point2& eye) {
   if (aim_ != kNone && root.root != aim_) return;
   root.place = place;
   root.before = before;
@@ -296,14 +296,14 @@ void Paths::Search::consider(Root root, double before, const Point2& place, cons
 
 /// Whether the path through the crossings is as long as the straight line of the unfolded strip.
 /// Among faces without area a strip may turn back, and rounding lets the line pass.
-bool Paths::Search::is_straight(const Root& root) const {
+bool PathSearch::is_straight(const Root& root) const {
   const Piece piece = piece_from(root);
   double length = piece.before + piece.rest;
   for (const Crossing& crossing : piece.crossings) length += crossing.step;
   return length <= root.distance + kPathWrong * (distance_ + mesh_.mean_edge_length());
 }
 
-Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {
+PathSearch::Piece PathSearch::piece_from(const Root& root) const {
   Piece piece{.root = root.root,
               .at = root.at,
               .half_edge = root.half_edge,

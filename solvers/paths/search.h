@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "solvers/paths/paths.h"
+#include "solvers/paths/distance_field.h"
 
 namespace geodesic {
 
@@ -23,7 +23,7 @@ namespace geodesic {
 ///
 /// Used for points without a LastSegment, and for the few paths whose recorded piece no straight
 /// line follows: it passes a vertex by rounding, or it runs along faces without area.
-class Paths::Search {
+class PathSearch {
  public:
   /// Point where the piece leaves a face: at the distance x from the head of the half-edge `side`.
   struct Crossing {
@@ -53,12 +53,13 @@ class Paths::Search {
 
   /// @param distance the distance of the end or an upper bound; finite
   /// @param passed vertices that must not be the root of the piece
-  Search(const Paths& of, const InternalPoint& end, double distance, std::span<const Index> passed);
+  PathSearch(const DistanceField& field, const InternalPoint& end, double distance,
+             std::span<const Index> passed);
 
   /// Returns the piece of the shortest path to a point, whose distance is not known.
   /// @param end must not be a vertex
   /// @return its distance is infinite if no path within the query's limit exists
-  static Piece from_face(const Paths& of, const InternalPoint& end);
+  static Piece from_face(const DistanceField& field, const InternalPoint& end);
 
   /// Returns the piece of the shortest path; of equally short ones, that with the farthest root.
   Piece run();
@@ -111,7 +112,7 @@ class Paths::Search {
   bool is_straight(const Root& root) const;
   Piece piece_from(const Root& root) const;
 
-  const Paths& of_;
+  const DistanceField& field_;
   const Mesh& mesh_;
   InternalPoint end_;
   double distance_;
