@@ -10,8 +10,8 @@
 // keeps late arrivals rare.
 //
 // The order of crossings and the end of a solve: wavefront.h; several threads:
-// regional_wavefront.h. The crossing of a face: list_crossing.h. Its steps over whole lists
-// (kernels.h) are compiled for several instruction sets; constructing a solver selects one
+// parallel/regional_wavefront.h. The crossing of a face: list_crossing.h. Its steps over whole
+// lists (kernels.h) are compiled for several instruction sets; constructing a solver selects one
 // (core/instruction_set.h). All of them give the same bits.
 #include "solvers/edge_based/edge_based.h"
 

@@ -7,7 +7,7 @@
 #include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/edge_based/list_crossing.h"
-#include "solvers/edge_based/regional_wavefront.h"
+#include "solvers/edge_based/parallel/regional_wavefront.h"
 #include "solvers/edge_based/wavefront.h"
 
 namespace geodesic::edge_based {

@@ -68,7 +68,7 @@ class Wavefront {
     crossing_.finish();
   }
 
-  // The steps of `run`, for a wavefront on a part of a mesh (regional_wavefront.h).
+  // The steps of `run`, for a wavefront on a part of a mesh (parallel/regional_wavefront.h).
 
   /// Discards the last solve, however it ended.
   /// @param distances infinite; the wavefront fills them

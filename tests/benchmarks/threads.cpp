@@ -8,7 +8,7 @@
 
 #include "meshes/generators/generators.h"
 #include "solvers/core/registry.h"
-#include "solvers/edge_based/regional_wavefront.h"
+#include "solvers/edge_based/parallel/regional_wavefront.h"
 
 namespace geodesic {
 namespace {

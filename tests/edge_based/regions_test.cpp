@@ -1,6 +1,6 @@
 // Regions of a mesh, and the wavefronts that process them in parallel. The properties test that the
 // distances are right (tests/verify/property_test.cpp).
-#include "solvers/edge_based/regions.h"
+#include "solvers/edge_based/parallel/regions.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "meshes/random.h"
 #include "solvers/core/thread_team.h"
 #include "solvers/core/window_bound.h"
-#include "solvers/edge_based/regional_wavefront.h"
+#include "solvers/edge_based/parallel/regional_wavefront.h"
 #include "tests/solved.h"
 
 namespace geodesic {

@@ -1,4 +1,4 @@
-#include "solvers/edge_based/regional_wavefront.h"
+#include "solvers/edge_based/parallel/regional_wavefront.h"
 
 #include <algorithm>
 #include <array>

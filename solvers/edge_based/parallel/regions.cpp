@@ -1,4 +1,4 @@
-#include "solvers/edge_based/regions.h"
+#include "solvers/edge_based/parallel/regions.h"
 
 #include <algorithm>
 #include <optional>

@@ -24,7 +24,7 @@
 
 #include "solvers/core/instruction_set.h"
 #include "solvers/core/query.h"
-#include "solvers/edge_based/regions.h"
+#include "solvers/edge_based/parallel/regions.h"
 
 namespace geodesic::edge_based {
 
