@@ -1,4 +1,5 @@
-// The kernels of one instruction set, for eight (AVX-512), four (AVX2) or two windows at once.
+// The kernels of one instruction set, for eight (AVX-512) or four (AVX2) windows at once. What they
+// compute: plain_kernels.h.
 //
 // Included once per instruction set (kernels.cpp). All operations are correctly rounded IEEE
 // operations in a fixed order, without contraction, and minima are exact: all instruction sets give
@@ -14,29 +15,11 @@
 
 #include "solvers/core/tolerance.h"
 #include "solvers/edge_based/kernels.h"
-#include "solvers/edge_based/plain_lanes.h"
+#include "solvers/edge_based/plain_kernels.h"
 
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
-#if HWY_TARGET == HWY_SCALAR
-namespace hn = plain;
-using hn::bits, hn::kLanes, hn::Mask, hn::Tag, hn::Vec;
-
-/// Stores the lanes of a mask contiguously.
-class Packer {
- public:
-  explicit Packer(unsigned mask) : mask_(mask) {}
-  std::size_t count() const { return (mask_ & 1) + (mask_ >> 1); }
-  /// Writes a whole vector; only its first count() lanes are meaningful.
-  void store(Vec v, double* to) const {
-    to[0] = mask_ == 2 ? v[1] : v[0];
-    to[1] = v[1];
-  }
-
- private:
-  unsigned mask_;
-};
-#else
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<double, kMostLanes>;
@@ -100,7 +83,6 @@ class Packer {
   std::size_t count_;
   decltype(hn::SetTableIndices(Halves(), kPackingOrder.halves[0])) order_;
 };
-#endif
 #endif
 
 inline constexpr Tag kTag{};
@@ -173,8 +155,8 @@ void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) 
   batch.count = out;
 }
 
-/// The neighbours among windows `base` to `last`, at most 64 after it, that are out_of_order: bit i
-/// for windows base + i and base + i + 1.
+/// The neighbours among windows `base` to `last`, at most kTrimmedAtOnce after it, that are
+/// out_of_order: bit i for windows base + i and base + i + 1.
 HWY_INLINE std::uint64_t find_suspects(const Batch& batch, std::size_t base, std::size_t last) {
   const double *begins = batch.array(kBegin), *ends = batch.array(kEnd);
   std::uint64_t suspects = 0;
@@ -190,58 +172,20 @@ HWY_INLINE std::uint64_t find_suspects(const Batch& batch, std::size_t base, std
   return suspects;
 }
 
-/// Trims neighbours that are out of order with trim_pair, and after a window that changed the next
-/// one. Compiled here, because scalar code of AVX2 has fewer moves.
 inline void trim(Batch& batch, const EdgeBelow& edge) {
   for (std::size_t base = 0, last; base + 1 < batch.count; base = last) {
-    last = std::min(base + 64, batch.count - 1);
+    last = std::min(base + kTrimmedAtOnce, batch.count - 1);
     for (std::uint64_t suspects = find_suspects(batch, base, last); suspects != 0;) {
       const std::uint64_t lowest = suspects & (~suspects + 1);
       suspects ^= lowest;
       const std::size_t i = base + static_cast<std::size_t>(std::countr_zero(lowest)) + 1;
-      const Window original = batch.window(i);
-      Window second = original;
-      bool keeps = true;
-      for (std::size_t before = i; keeps && before-- > 0;) {
-        if (batch.is_struck_out(before)) continue;
-        Window first = batch.window(before);
-        if (first.begin <= second.begin && first.end <= second.end) break;
-        trim_pair(first, second, edge);
-        keeps = !is_void(second, edge.length);
-        if (batch.put_back(before, first, edge.length)) break;
-      }
-      batch.put_back(i, second, edge.length);
-      const bool changed = !keeps || second.begin != original.begin || second.end != original.end;
-      if (changed && i < last) suspects |= lowest << 1;
+      // Compiled here, because scalar code of AVX2 has fewer moves.
+      const bool has_changed = plain::trim_against_earlier(batch, i, edge);
+      if (has_changed && i < last) suspects |= lowest << 1;
     }
   }
 }
 
-/// Clears one side of windows whose line to the apex misses the interval by at most kApexTolerance
-/// and that do not see the apex all the same: next to a source or apex far nearer than the edge is
-/// long, the path round the interval's end is longer than the line by more than rounding.
-/// @return the winner among the windows that see the apex
-HWY_NOINLINE inline ApexWinner drop_unreached_sides(Batch& batch, const FaceFrame& face) {
-  ApexWinner best;
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    if (!batch.passes_left[i] || !batch.passes_right[i]) continue;
-    const Window w = batch.window(i);
-    const double line = distance_through(w, face.apex_x, face.apex_y);
-    const double bent = least_distance_to(w, face.apex_x, face.apex_y);
-    if (bent - line > kApexExcess * line) {
-      (crossing(w, face) == w.end ? batch.passes_right : batch.passes_left).clear(i);
-    } else if (line < best.distance) {
-      best.window = i;
-      best.distance = line;
-      best.crossing = crossing(w, face);
-    }
-  }
-  return best;
-}
-
-/// Marks the windows from which sides_kept may remove lines: other windows that see the apex, and
-/// windows that pass it on one side and start on the other side of the winner's line.
-/// @return true when there are any
 HWY_INLINE bool find_contested(Batch& batch, const ApexWinner& winner) {
   const Vec position = all(winner.crossing);
   unsigned any = 0;
@@ -419,7 +363,7 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
   const Window w = batch.window(best.window);
   best.crossing = crossing(w, face);
   if (best.crossing == w.begin || best.crossing == w.end) [[unlikely]] {
-    best = drop_unreached_sides(batch, face);
+    best = plain::drop_unreached_sides(batch, face);
     unfold_marked<carried>(batch, face, batch.passes_left, batch.passes_right, left, right);
   }
   best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
@@ -432,5 +376,6 @@ inline constexpr Kernels kKernels = {kLanes, gather<carried>, trim, unfold<carri
 
 }  // namespace geodesic::edge_based::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 
 #endif

@@ -1,10 +1,10 @@
-// The kernels of AVX2, AVX-512 and all other processors (plain_lanes.h). Needs Google Highway.
+// The kernels of AVX2, AVX-512 and all other processors. Needs Google Highway.
 #include "solvers/edge_based/kernels.h"
 
-// The compiler does not know the size of SVE vectors, so structs cannot hold them.
+#include "solvers/edge_based/plain_kernels.h"
+
 #undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#define HWY_DISABLED_TARGETS HWY_AVX3_DL  // here it is AVX-512, as in core/instruction_set.cpp
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solvers/edge_based/kernels-inl.h"
@@ -28,7 +28,7 @@ const Kernels& compiled_kernels(InstructionSet set) {
       return N_AVX2::kKernels<carried>;
 #endif
     default:
-      return HWY_STATIC_DISPATCH(kKernels<carried>);
+      return plain::kKernels;
   }
 }
 
@@ -36,13 +36,12 @@ const Kernels& compiled_kernels(InstructionSet set) {
 
 InstructionSet compiled_for(InstructionSet wanted) {
   const auto compiled = [](InstructionSet set) {
-    return set == InstructionSet::plain
-               ? HWY_STATIC_TARGET != HWY_AVX2 && HWY_STATIC_TARGET != HWY_AVX3
-               : (HWY_TARGETS & (set == InstructionSet::avx2 ? HWY_AVX2 : HWY_AVX3)) != 0;
+    return set == InstructionSet::plain ||
+           (HWY_TARGETS & (set == InstructionSet::avx2 ? HWY_AVX2 : HWY_AVX3)) != 0;
   };
-  InstructionSet nearest = wanted;
+  InstructionSet nearest = InstructionSet::plain;
   for (const InstructionSet set : kInstructionSets) {
-    if (compiled(set) && (set <= wanted || !compiled(nearest))) nearest = set;
+    if (compiled(set) && set <= wanted) nearest = set;
   }
   return nearest;
 }

@@ -1,4 +1,5 @@
-// The steps of a crossing over whole lists, compiled for several instruction sets (kernels-inl.h).
+// The steps of a crossing over whole lists: window by window (plain_kernels.h), and by the vector
+// instructions of several sets (kernels-inl.h).
 #pragma once
 
 #include "solvers/core/instruction_set.h"
@@ -8,10 +9,12 @@
 
 namespace geodesic::edge_based {
 
-/// The kernels of one instruction set. All sets give the same bits as the scalar functions named
-/// here.
+/// Neighbours of a list that trimming compares before it trims any of them: a mask of 64 bits.
+inline constexpr std::size_t kTrimmedAtOnce = 64;
+
+/// The kernels of one instruction set. All sets give the same bits.
 struct Kernels {
-  /// Number of lanes of a vector.
+  /// Number of lanes of a vector; 1 without vectors.
   std::size_t lanes;
 
   /// Appends the windows of a segment that EndpointBounds::beat does not reject.
@@ -33,7 +36,7 @@ struct Kernels {
                         const Marks& to_right, Segment& left, Segment& right);
 };
 
-/// The instruction set nearest to `wanted` that the kernels are compiled for.
+/// The widest instruction set up to `wanted` that the kernels are compiled for.
 InstructionSet compiled_for(InstructionSet wanted);
 
 /// @param set a result of compiled_for

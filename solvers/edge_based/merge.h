@@ -59,7 +59,6 @@
 
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
-#include "solvers/edge_based/plain_lanes.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -131,10 +130,10 @@ inline float rounded_up(double shortfall) {
 }
 
 /// One number of each of two windows, in one vector: both are computed at once.
-using plain::Double2;
-using plain::Max;
-using plain::Min;
-using plain::Sqrt;
+using Double2 = double __attribute__((vector_size(16)));
+inline Double2 sqrt_of(Double2 a) { return Double2{std::sqrt(a[0]), std::sqrt(a[1])}; }
+inline Double2 min_of(Double2 a, Double2 b) { return a < b ? a : b; }
+inline Double2 max_of(Double2 a, Double2 b) { return a > b ? a : b; }
 
 /// Two windows of an edge, with each field as a pair.
 struct Neighbours {
@@ -146,7 +145,7 @@ struct Neighbours {
   /// The distances of both windows: each at a point of its own, or both at the same point.
   Double2 at(Double2 t) const {
     const Double2 along = t - x;
-    return Sqrt(along * along + squared_y) + sigma;
+    return sqrt_of(along * along + squared_y) + sigma;
   }
   Double2 at(double t) const { return at(Double2{t, t}); }
 
@@ -196,12 +195,12 @@ inline Lead lead_over(const Neighbours& both, const Window& m, Double2 outer, co
   // The difference of two windows is extremal at ends, and where their lines coincide.
   const Double2 coincide = both.x - both.y * (merged.x - both.x) / (merged.y - both.y);
   const Double2 low{outer[0], at.from_here[1]}, high{at.from_here[0], outer[1]};
-  const Double2 touch = Min(Max(coincide, low), high);
+  const Double2 touch = min_of(max_of(coincide, low), high);
   const Double2 by_touch = both.at(touch) - merged.at(touch);
   const Double2 by_tie = at.at_tie - merged.at(at.tie);
   const Double2 by_end = at.at_from_here - merged.at(at.from_here);
-  const Double2 least = Min(Min(by_touch, by_tie), by_end);
-  return {std::min(least[0], least[1]), Max(Max(by_touch, by_tie), Double2{0, 0})};
+  const Double2 least = min_of(min_of(by_touch, by_tie), by_end);
+  return {std::min(least[0], least[1]), max_of(max_of(by_touch, by_tie), Double2{0, 0})};
 }
 
 }  // namespace internal
