@@ -28,6 +28,7 @@
 #include "solvers/core/queues/concepts.h"
 #include "solvers/core/recorders.h"
 #include "solvers/edge_based/entered_faces.h"
+#include "solvers/edge_based/sources_inside.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -56,7 +57,17 @@ class Wavefront {
       recorder_.recording.window_bytes = sizeof(Window);
       progress_.start(mesh_, source_vertices(mesh_, query));
     }
-    for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
+    for (Index i = 0; i < query.sources.size(); ++i) {
+      const InternalSource& source = query.sources[i];
+      if (source.at.is_vertex()) {
+        begin_at(source.at.vertex, source.distance);
+      } else {
+        begin_inside(in_every_face(mesh_, source.at), source.distance, mesh_.vertex_count() + i,
+                     [&](const InternalPoint& in_face) {
+                       return Part{*this, in_face};
+                     });
+      }
+    }
     StopRule stop_rule(mesh_, query, distances_);
     while (!queue_.empty() && !stop_rule.is_over(queue_.least_key())) {
       advance();
@@ -86,35 +97,22 @@ class Wavefront {
     always_emits_[v] = true;
   }
 
-  /// Starts from a point of a face that is not a vertex. Call `reach_corners_from` for each face of
-  /// the point, then, unless a call returned that it is at a corner, `cross_sides_from` for each.
-  ///
-  /// Next to a corner, rounding of coordinates turns the lines on both sides of it, and may leave a
-  /// gap behind it. The corner therefore sends windows too, as a source does. They are as long or
-  /// longer, and soon beaten. If the point is so near to the corner that rounding exceeds the way
-  /// there and back, its own lines have no direction, and only the corner's are used.
-  /// @param root as in LastSegment
-  /// @return whether the point is at a corner
-  [[gnu::cold, gnu::noinline]] bool reach_corners_from(const InternalPoint& in_face,
-                                                       double distance, Index root) {
-    bool at_corner = false;
-    spread_in_face(
-        mesh_, in_face,
-        [&](Index h, const Point2& from, double to_apex, bool is_next) {
-          const Index apex = mesh_.apex(h);
-          reach_first(apex, distance + to_apex, {h, root, from});
-          if (is_next) always_emits_[apex] = true;
-          at_corner |= 2 * to_apex < kCoordinateRounding * mesh_.half_edge(h).length;
-        },
-        [](Index, const Point2&) {});
-    return at_corner;
+  /// Records a path to v, if it is shorter than all before. Out of line, so that `reach` is inlined
+  /// into the loop.
+  [[gnu::cold, gnu::noinline]] void reach_first(Index v, double distance,
+                                                const LastSegmentOf<Recorder>& last_segment) {
+    if (!(distance < distances_[v])) return;
+    reach(v, distance);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
   }
-  [[gnu::cold, gnu::noinline]] void cross_sides_from(const InternalPoint& in_face, double distance,
-                                                     Index root) {
-    spread_in_face(
-        mesh_, in_face, [](Index, const Point2&, double, bool) {},
-        [&](Index h, const Point2& from) { crossing_.emit(h, from, distance, root, *this); });
-  }
+
+  bool always_emits(Index v) const { return always_emits_[v]; }
+  /// From now on v sends windows even if no path bends there.
+  void set_always_emits(Index v) { always_emits_[v] = true; }
+
+  const Mesh& mesh() const { return mesh_; }
+  Recorder& recorder() { return recorder_; }
+  Crossing& crossing() { return crossing_; }
 
   bool is_empty() const { return queue_.empty(); }
   /// No waiting vertex has a smaller distance. One must wait.
@@ -139,70 +137,10 @@ class Wavefront {
     faces_.take_landings(first, visit);
   }
 
-  bool always_emits(Index v) const { return always_emits_[v]; }
-  void set_always_emits(Index v) { always_emits_[v] = true; }
-
-  Recorder& recorder() { return recorder_; }
-  Crossing& crossing() { return crossing_; }
-
-  /// Records a path to v that is shorter than all before.
-  void reach(Index v, double distance) {
-    const auto timed = recorder_.enter(Phase::queue);
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
-    distances_[v] = distance;
-    queue_.push_or_decrease(v, distance);
-  }
-
-  /// Records a straight line of this length to v.
-  /// @param last_segment makes the LastSegment; called only if paths are recorded
-  template <class MakeLastSegment>
-  void arrive(Index v, double distance, const MakeLastSegment& last_segment) {
-    if (distance < distances_[v]) {
-      if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment());
-      reach(v, distance);
-    } else if constexpr (Recorder::kRemembers) {
-      if (straightens_tie(v, distance)) recorder_.arrived(v, last_segment());
-    }
-  }
-
-  /// Call when windows land on h; without effect if `has_landed` is false. They cross next if the
-  /// face has been entered.
-  void land(Index h, bool has_landed = true) {
-    mesh_.prefetch_face(h);
-    faces_.land(h, has_landed);
-  }
-
  private:
-  /// @param number index of the source in the query
-  void begin_at(const InternalSource& source, Index number) {
-    if (source.at.is_vertex()) return begin_at(source.at.vertex, source.distance);
-    const Index root = mesh_.vertex_count() + number;
-    bool at_corner = false;
-    for (const InternalPoint& in_face : in_every_face(mesh_, source.at)) {
-      at_corner |= reach_corners_from(in_face, source.distance, root);
-    }
-    if (at_corner) return;
-    for (const InternalPoint& in_face : in_every_face(mesh_, source.at)) {
-      cross_sides_from(in_face, source.distance, root);
-    }
-  }
-
-  // Out of line, so that `reach` is inlined into the loop.
-  [[gnu::cold, gnu::noinline]] void reach_first(Index v, double distance,
-                                                const LastSegmentOf<Recorder>& last_segment) {
-    if (!(distance < distances_[v])) return;
-    reach(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
-  }
-
   Index pop() {
     const auto timed = recorder_.enter(Phase::queue);
     return queue_.pop();
-  }
-
-  void cross(Index h) {
-    crossing_.cross(h, *this);
-    recorder_.wavefront_size(crossing_.window_count());
   }
 
   void enter_faces_around(Index v) {
@@ -215,6 +153,23 @@ class Wavefront {
   }
 
   bool may_bend_at(Index v) const { return always_emits_[v] || mesh_.is_pseudo_source(v); }
+
+  /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
+  /// already beats it: distances only decrease, so it is of no use later either.
+  /// @param h a half-edge that leaves v
+  void emit_across(Index v, Index h) {
+    const Index opposite = Mesh::next(h), back = Mesh::previous(h);
+    const EndpointBounds bounds(mesh_.half_edge(opposite).length, distances_[mesh_.head(h)],
+                                distances_[mesh_.origin(back)]);
+    const double at_origin = distances_[v] + mesh_.half_edge(h).length;
+    const double at_head = distances_[v] + mesh_.half_edge(back).length;
+    crossing_.emit_from_apex(!bounds.beat_whole(at_origin, at_head), opposite, *this);
+  }
+
+  void cross(Index h) {
+    crossing_.cross(h, *this);
+    recorder_.wavefront_size(crossing_.window_count());
+  }
 
   /// Follows the edges of v: last, because windows that have arrived by then reach most of their
   /// ends by shorter paths.
@@ -245,18 +200,37 @@ class Wavefront {
     if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = true;
   }
 
-  /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
-  /// already beats it: distances only decrease, so it is of no use later either.
-  /// @param h a half-edge that leaves v
-  void emit_across(Index v, Index h) {
-    const Index opposite = Mesh::next(h), back = Mesh::previous(h);
-    const EndpointBounds bounds(mesh_.half_edge(opposite).length, distances_[mesh_.head(h)],
-                                distances_[mesh_.origin(back)]);
-    const double at_origin = distances_[v] + mesh_.half_edge(h).length;
-    const double at_head = distances_[v] + mesh_.half_edge(back).length;
-    crossing_.emit_from_apex(!bounds.beat_whole(at_origin, at_head), opposite, *this);
+ public:
+  // What a Crossing calls.
+
+  /// Call when windows land on h; without effect if `has_landed` is false. They cross next if the
+  /// face has been entered.
+  void land(Index h, bool has_landed = true) {
+    mesh_.prefetch_face(h);
+    faces_.land(h, has_landed);
   }
 
+  /// Records a straight line of this length to v.
+  /// @param last_segment makes the LastSegment; called only if paths are recorded
+  template <class MakeLastSegment>
+  void arrive(Index v, double distance, const MakeLastSegment& last_segment) {
+    if (distance < distances_[v]) {
+      if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment());
+      reach(v, distance);
+    } else if constexpr (Recorder::kRemembers) {
+      if (straightens_tie(v, distance)) recorder_.arrived(v, last_segment());
+    }
+  }
+
+  /// Records a path to v that is shorter than all before.
+  void reach(Index v, double distance) {
+    const auto timed = recorder_.enter(Phase::queue);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    distances_[v] = distance;
+    queue_.push_or_decrease(v, distance);
+  }
+
+ private:
   /// Ends a propagation that has come to `end`. The waiting vertices are farther, but waiting
   /// windows may be nearer, on long edges with farther ends. These are propagated until none is
   /// left; then no path shorter than `end` remains.

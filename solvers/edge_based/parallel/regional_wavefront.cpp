@@ -312,23 +312,13 @@ void RegionalWavefront::begin_at(const InternalSource& source) {
     });
     return;
   }
-  const auto in_region = [&](const InternalPoint& in_face) {
-    InternalPoint there = in_face;
-    there.face = regions_.face(in_face.face).number;
-    return there;
-  };
-  const auto region_of = [&](const InternalPoint& in_face) -> auto& {
-    return at_work_[regions_.face(in_face.face).region]->wavefront();
-  };
-  const std::vector<InternalPoint> faces = in_every_face(mesh_, source.at);
-  bool at_corner = false;
-  for (const InternalPoint& f : faces) {
-    at_corner |= region_of(f).reach_corners_from(in_region(f), source.distance, kNone);
-  }
-  if (at_corner) return;
-  for (const InternalPoint& f : faces) {
-    region_of(f).cross_sides_from(in_region(f), source.distance, kNone);
-  }
+  begin_inside(in_every_face(mesh_, source.at), source.distance, kNone,
+               [&](const InternalPoint& in_face) {
+                 const InRegion there = regions_.face(in_face.face);
+                 InternalPoint point = in_face;
+                 point.face = there.number;
+                 return Part{at_work_[there.region]->wavefront(), point};
+               });
 }
 
 }  // namespace geodesic::edge_based
