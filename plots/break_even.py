@@ -38,6 +38,8 @@ class Point:
     """Number of sources from which the prepared solver takes less total time; infinite if it never does."""
     mean_error: float
     largest_error: float
+    bytes_a_vertex: float
+    """Greatest memory of the prepared solver; not a number if it is not known."""
 
 
 def break_even(preparations: tuple[float, float], furthers: tuple[float, float]) -> float:
@@ -88,9 +90,11 @@ def _point(run: Run, mesh: Mesh, solver: str, exact: str) -> Point | None:
 
     mean = errors(run, mesh.name, solver, "mean_relative_error")
     largest = errors(run, mesh.name, solver, "max_relative_error")
+    peaks = [b for row in run.cell(mesh.name, solver) if (b := row.number("solver_peak_bytes"))]
     return Point(
         mesh, middle(prepared), middle(solved), _over(by_source(numbers)),
         median([mean]).value if mean else math.nan, max(largest, default=math.nan),
+        max(peaks, default=math.nan) / mesh.vertices,
     )  # fmt: skip
 
 
@@ -109,7 +113,7 @@ def table(run: Run) -> Table:
         title=f"From how many sources on a prepared solver is faster than {exact}",
         header=[
             "Solver", "Mesh", "n", "Preparation", f"of {exact}", "Each further", f"of {exact} ",
-            "Break-even (sources)", "Mean error", "Largest error",
+            "Break-even (sources)", "Mean error", "Largest error", "Bytes a vertex",
         ],
         text_columns=2,
         rows=[_row(solver, point) for solver, points in found.items() for point in points],
@@ -140,6 +144,9 @@ def _row(solver: str, point: Point) -> list[Field]:
         else Field("never"),
         error(point.mean_error),
         error(point.largest_error),
+        Field(count(round(point.bytes_a_vertex)), point.bytes_a_vertex)
+        if math.isfinite(point.bytes_a_vertex)
+        else Field("not known"),
     ]
 
 

@@ -16,7 +16,9 @@ from results import console
 if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
-from plots import catalogue, headline, many_sources, path_costs, peers_overview, robustness, style, summary, twins
+from plots import (
+    break_even, catalogue, headline, many_sources, path_costs, peers_overview, robustness, style, summary, twins,
+)  # fmt: skip
 from plots.drawing import Drawing
 from plots.measures import ERROR, columns, errors_of, interval, percent
 from plots.ratios import number
@@ -31,17 +33,22 @@ PAGE, README, PEERS = ROOT / "docs" / "results.md", ROOT / "README.md", ROOT / "
 RESULTS = {README: "docs/results.md", PEERS: "results.md"}
 """Link to the page of all results, by the page that contains the link."""
 STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
-SETS, PATHS = "source-sets", "paths"
+SETS, PATHS, ALL_PAIRS = "source-sets", "paths", "all-pairs"
 PICTURES: dict[str, list[str]] = {
     STANDARD: ["peers_overview", "overview", "performance_profile"],
     FRONTIER: ["frontier"],
+    ALL_PAIRS: ["break_even"],
     SETS: ["many_sources"],
     PATHS: ["paths_compared"],
     ROBUSTNESS: [],
 }
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
-TABLES: dict[str, Callable[[Run], Table]] = {PATHS: path_costs.table, ROBUSTNESS: robustness.counts}
-WORDS: dict[str, Callable[[Run], list[str]]] = {PATHS: path_costs.sentences, ROBUSTNESS: lambda run: []}
+TABLES: dict[str, Callable[[Run], Table]] = {
+    ALL_PAIRS: break_even.table, PATHS: path_costs.table, ROBUSTNESS: robustness.counts,
+}  # fmt: skip
+WORDS: dict[str, Callable[[Run], list[str]]] = {
+    ALL_PAIRS: lambda run: [], PATHS: path_costs.sentences, ROBUSTNESS: lambda run: [],
+}  # fmt: skip
 """Table and sentences that replace the summary and the headline, by corpus."""
 BASE = "edge-based"
 PERCENT = 1e-4
