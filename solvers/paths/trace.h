@@ -17,8 +17,8 @@ namespace geodesic {
 /// Errors do not accumulate, since every face aims at the root again. A face that contains the root
 /// ends the piece, since nothing is shorter than a straight line in space.
 ///
-/// A line is followed until it meets a vertex where paths may bend, a boundary or an edge of several
-/// faces, where it may be wrong. Such pieces are searched (search.h).
+/// A line is followed until it meets a vertex where paths may bend, a boundary or an edge of
+/// several faces, where it may be wrong. Such pieces are searched (search.h).
 ///
 /// The result is as long as the distance of its end, or shorter if paths are not shortest ones. If
 /// lines failed, over needles and faces without area, every piece is searched.
