@@ -21,8 +21,8 @@ namespace geodesic {
 /// it keeps the search to the side from which the path comes, and the best vertex may be missed.
 /// A known line to a known root is found without the rule, by straight lines in space.
 ///
-/// Used for points without a LastSegment, and for the few paths whose recorded piece no straight
-/// line follows: it passes a vertex by rounding, or it runs along faces without area.
+/// Used for points without a LastSegment, and for the few pieces that are not followed straight
+/// (trace.h).
 class PathSearch {
  public:
   /// Point where the piece leaves a face: at the distance x from the head of the half-edge `side`.

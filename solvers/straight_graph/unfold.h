@@ -38,12 +38,9 @@ inline Line line_of(const Mesh& mesh, Index h, const Point2& apex, const Point2&
 class Unfolder {
  public:
   /// @param angle least angle of a wedge in radians, below pi / 2
-  /// @param margin tangent of the angle to the rays of its wedge within which an apex is not
-  /// reached
-  explicit Unfolder(const Mesh& mesh, double angle, double margin = kApexTolerance)
+  explicit Unfolder(const Mesh& mesh, double angle)
       : mesh_(mesh),
         tangent_(std::tan(angle)),
-        margin_(margin),
         most_faces_(static_cast<int>(kFacesTimesAngle / angle)) {}
 
   /// The lines from the origin of a plane between two rays that cross an edge.
@@ -140,7 +137,7 @@ class Unfolder {
 
   /// A ray through a vertex reaches what lies behind that vertex, which is none of the wedge's.
   bool is_left(const Point2& right, const Point2& left) const {
-    return cross(right, left) > margin_ * std::abs(dot(right, left));
+    return cross(right, left) > kApexTolerance * std::abs(dot(right, left));
   }
 
   /// Crosses the face that the wedge enters. @return whether it, or its right part, goes on
@@ -168,7 +165,6 @@ class Unfolder {
 
   const Mesh& mesh_;
   double tangent_;  // of the least angle
-  double margin_;
   int most_faces_;
   std::vector<Split> splits_;  // those whose left parts wait
 };
