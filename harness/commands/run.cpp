@@ -142,6 +142,11 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
   option("--path-targets", suite.path_targets,
          "number of targets of the measured paths, for solvers that have paths (default 0)")
       ->check(CLI::NonNegativeNumber);
+  option(
+      "--further-sources", suite.further_sources,
+      "number of random vertices that each solver then solves from, one after the other, on each "
+      "mesh (default 0)")
+      ->check(CLI::NonNegativeNumber);
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
   option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");

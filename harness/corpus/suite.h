@@ -22,11 +22,12 @@ struct Suite {
   /// Words for name_of_source_set (corpus/sources.h). Each set is a further source of the meshes
   /// that have it.
   std::vector<std::string> source_sets = {};
-  int repetitions = 3;     ///< timed repetitions of a cell
-  std::uint64_t seed = 1;  ///< for the choice of sources
-  int other_queries = 0;   ///< queries from other sources before a cell solves again
-  int path_targets = 0;    ///< number of targets of measured paths, if the solver has paths
-  double min_time = 0.05;  ///< minimum of a repetition in seconds
+  int repetitions = 3;      ///< timed repetitions of a cell
+  std::uint64_t seed = 1;   ///< for the choice of sources
+  int other_queries = 0;    ///< queries from other sources before a cell solves again
+  int path_targets = 0;     ///< number of targets of measured paths, if the solver has paths
+  int further_sources = 0;  ///< random sources, one after the other, after the mesh's first one
+  double min_time = 0.05;   ///< minimum of a repetition in seconds
   /// Solver to verify by, or "brute force" where a closed form is not known; by default a solver of
   /// another kind.
   std::optional<std::string> reference = {};
@@ -58,7 +59,7 @@ Suite suite_of_corpus(const std::string& corpus);
 
 // All keys, as a suite that read_suite can read; null for an empty value.
 GEODESIC_JSON_MEMBERS(Suite, solvers, corpus, meshes, sources, source_sets, repetitions, seed,
-                      other_queries, path_targets, min_time, vectors, time_limit, expected,
-                      reference, memory_limit)
+                      other_queries, path_targets, further_sources, min_time, vectors, time_limit,
+                      expected, reference, memory_limit)
 
 }  // namespace geodesic::harness

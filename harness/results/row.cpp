@@ -25,6 +25,8 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   for_each_counter(row.counters, visit);
   visit("phase_seconds", row.phase_seconds);
   visit("paths", row.paths);
+  visit("further", row.further);
+  visit("further_errors", row.further_errors);
   visit("solver_peak_bytes", row.solver_peak_bytes);
   visit("unreachable_vertices", row.unreachable_vertices);
   visit("recordings", row.recordings);

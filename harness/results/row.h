@@ -43,6 +43,25 @@ struct PathNumbers {
 GEODESIC_JSON_MEMBERS(PathNumbers, targets, alone_time, first_time, further_time, max_excess,
                       mean_excess, shortest, off_surface, failed)
 
+/// Mean times of a solve by one object from many sources, one after the other, in milliseconds, of
+/// the kind of Row::solve_time, renewal included.
+struct FurtherTimes {
+  std::size_t sources = 0;
+  double time = 0;       ///< of a solve for all vertices
+  double pair_time = 0;  ///< of a solve that stops at one random vertex
+};
+
+GEODESIC_JSON_MEMBERS(FurtherTimes, sources, time, pair_time)
+
+/// Errors of these solves: of all vertices, and of the vertex that a solve stops at. Means over the
+/// sources of RelativeErrors::mean, and the largest error.
+struct FurtherErrors {
+  double mean = 0, max = 0, pair_mean = 0, pair_max = 0;
+  std::string reference;  ///< the exact solver
+};
+
+GEODESIC_JSON_MEMBERS(FurtherErrors, mean, max, pair_mean, pair_max, reference)
+
 /// One timed repetition of a cell, or the reason why the cell has none.
 struct Row {
   std::string solver, mesh;
@@ -69,6 +88,8 @@ struct Row {
   Counters counters = {};
   std::optional<PhaseSeconds> phase_seconds = {};
   std::optional<PathNumbers> paths = {};
+  std::optional<FurtherTimes> further = {};
+  std::optional<FurtherErrors> further_errors = {};  ///< of solvers that are not exact
   std::optional<std::int64_t> solver_peak_bytes = {}, process_peak_bytes = {};
   std::optional<std::uint64_t> unreachable_vertices = {};
   std::optional<std::string> recordings = {}, recordings_error = {};

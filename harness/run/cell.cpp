@@ -6,6 +6,7 @@
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
 #include "harness/external/external_solver.h"
@@ -13,6 +14,7 @@
 #include "harness/measure/path_measurement.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
+#include "harness/run/further_sources.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/load.h"
@@ -82,6 +84,8 @@ class Measurement {
   // Returns why the last distances are wrong, if those of the first solve are right.
   // @param which message if the solver is deterministic
   std::string verify_again(const std::string& which);
+  // Returns why an answer from a further source is wrong; empty when all are right.
+  std::string solve_further(Solver& solver);
   void count();
   void measure_paths();
   void record();
@@ -146,6 +150,21 @@ std::string Measurement::verify_after_others(Solver& solver) {
   return others == 0 ? ""
                      : verify_again("after " + std::to_string(others) +
                                     " other sources the same object gave other distances");
+}
+
+// An external program says the time of its last solve only: its answers are not timed here.
+std::string Measurement::solve_further(Solver& solver) {
+  if (spec_.further_sources.empty() || dynamic_cast<ExternalSolver*>(&solver) != nullptr) return {};
+  const std::vector<Index> sources = read_source_vertices(spec_.further_sources);
+  std::optional<DistanceRows> exact;
+  if (!spec_.further_reference.empty()) {
+    exact.emplace(spec_.further_reference_file, sources.size(), mesh_.vertex_count());
+  }
+  auto [times, errors, wrong] = solve_further_sources(solver, sources, exact ? &*exact : nullptr);
+  row_.further = times;
+  row_.further_errors = std::move(errors);
+  if (row_.further_errors) row_.further_errors->reference = spec_.further_reference;
+  return wrong;
 }
 
 void Measurement::count() {
@@ -241,6 +260,8 @@ std::string Measurement::measure() {
   time(*solver);
   error = verify_again("a timed solve gave other distances than the first one");
   if (!error.empty()) return error;
+  error = solve_further(*solver);
+  if (!error.empty()) return error;
   row_.process_peak_bytes = peak_resident_bytes();
   row_.instruction_set = name_of(solver->instruction_set());
   row_.certificate = solver->certificate();
@@ -295,7 +316,17 @@ void run_cell(const CellSpec& spec) {
 void run_reference(const ReferenceSpec& spec) {
   const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup,
                   Numbering::along_surface);
-  write_distances(spec.output, solve_once(spec.solver, mesh, sources_of(spec).query()));
+  const SourceSet sources = sources_of(spec);
+  if (!spec.each) {
+    write_distances(spec.output, solve_once(spec.solver, mesh, sources.query()));
+    return;
+  }
+  AtomicFile file(spec.output);
+  const std::unique_ptr<Solver> solver = make_solver(spec.solver, mesh);
+  for (const Index v : sources.vertices) {
+    write_distances(file.stream(), solve_with(*solver, mesh, query_from({v})));
+  }
+  file.commit();
 }
 
 int exit_code_of(const std::function<void()>& work) {

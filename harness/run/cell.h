@@ -33,13 +33,17 @@ struct CellSpec {
   bool frames = false;    ///< record the wavefront at every step; only in pictured cells
   int other_queries = 0;  ///< number of solves from other vertices, before another from the source
   int path_targets = 0;   ///< targets to measure paths to, in counted cells of solvers with paths
-  std::string vectors;    ///< name of the instruction set (corpus/solvers.h)
+  std::string further_sources = {};    ///< file with vertices to solve from, one after the other
+  std::string further_reference = {};  ///< the exact solver of their distances; empty: none
+  std::string further_reference_file = {};  ///< file with their distances
+  std::string vectors;                      ///< name of the instruction set (corpus/solvers.h)
   std::vector<std::string> benchmark_flags = {};
   bool repair = false;  ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sources_file,
                       reference, reference_file, output, run_folder, counted, pictured, frames,
-                      other_queries, path_targets, vectors, benchmark_flags, repair)
+                      other_queries, path_targets, further_sources, further_reference,
+                      further_reference_file, vectors, benchmark_flags, repair)
 
 /// A solve whose distances verify other solvers.
 struct ReferenceSpec {
@@ -47,10 +51,11 @@ struct ReferenceSpec {
   std::string mesh_file;
   Index source = 0;               ///< vertex
   std::string sources_file = {};  ///< file with several vertices that replace `source`
+  bool each = false;              ///< solve from each of them, in this order, not from all at once
   std::string output;             ///< distance file to write
   bool repair = false;            ///< repair the mesh first
 };
-GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, output, repair)
+GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, each, output, repair)
 
 /// Prepares the solver, verifies a warm-up solve, solves from other sources and again from this
 /// one, times solves and, in a counted cell, records more with new solver objects. Then it writes
@@ -59,7 +64,7 @@ GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, ou
 /// @throws the exceptions of mesh reader, solver and disk; the run writes an error row for them
 void run_cell(const CellSpec& spec);
 
-/// Solves once and writes the distances. @throws as run_cell
+/// Solves, once or from each source, and writes the distances. @throws as run_cell
 void run_reference(const ReferenceSpec& spec);
 
 /// Does the work of such a process. Turns an exception into a line on standard error and an exit

@@ -16,12 +16,18 @@ void label(Row& row, const Cell& cell) {
   if (cell.program != nullptr) row.program = cell.program->name;
 }
 
-std::vector<Row> rows_of_process(const Cell& cell, CellSpec spec, const Reference& reference,
+std::vector<Row> rows_of_process(const Cell& cell, CellSpec spec, ReferenceFiles& references,
                                  const ProcessLimits& limits,
                                  const std::function<void()>& waiting) {
   spec.output += kPartOfFile;
-  spec.reference = reference.solver;
-  spec.reference_file = reference.file.string();
+  const auto [solver, file] = references.find(cell);
+  spec.reference = solver;
+  spec.reference_file = file.string();
+  if (!spec.further_sources.empty() && cell.solver->exactness != Exactness::exact) {
+    const auto [by, rows] = references.find_further(cell);
+    spec.further_reference = by;
+    spec.further_reference_file = rows.string();
+  }
   const fs::path program = cell.program == nullptr ? "/proc/self/exe" : cell.program->file;
   const Ended ended = run_geodesic_bench({"cell", Json(spec).dump()}, waiting, limits, program);
   if (!ended.succeeded()) return {failed_row(cell, failure_of(ended, limits))};
@@ -63,7 +69,7 @@ std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, ReferenceF
     return {failed_row(cell, {Outcome::unsupported, *why})};
   }
   try {
-    return rows_of_process(cell, spec, references.find(cell), limits, waiting);
+    return rows_of_process(cell, spec, references, limits, waiting);
   } catch (const CannotWrite&) {
     throw;
   } catch (const HarnessError& error) {

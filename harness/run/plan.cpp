@@ -109,6 +109,10 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
                       .facts = describe(entry, loaded.soup, mesh),
                       .run_sources = sources_of(entry, loaded.soup, suite)};
   planned.sources = planned.run_sources;
+  if (suite.further_sources > 0) {
+    planned.further_sources =
+        choose_sources(loaded.soup, entry.name, suite.further_sources, suite.seed);
+  }
   if (!loaded.repairs.empty()) planned.facts["repaired"] = true;
   for (const Description* solver : registered_solvers()) {
     const std::string why = unsupported(*solver, mesh);
@@ -192,6 +196,15 @@ Json describe(const PlannedMesh& mesh, const SourceSet& source) {
 std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source) {
   return std::filesystem::path("sources") /
          (as_file_name(mesh.entry.name + "__" + source.name) + ".json");
+}
+
+bool has_further_sources(const Cell& cell) {
+  return !cell.mesh->further_sources.empty() && cell.is_first_repetition() &&
+         cell.source->name == cell.mesh->run_sources.front().name;
+}
+
+std::filesystem::path further_sources_file(const PlannedMesh& mesh) {
+  return std::filesystem::path("sources") / (as_file_name(mesh.entry.name) + ".further.json");
 }
 
 Json outline(const RunRequest& request) {

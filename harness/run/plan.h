@@ -21,6 +21,7 @@ struct PlannedMesh {
   Json facts = {};                          ///< for context.geodesic_bench.meshes
   std::vector<SourceSet> sources = {};      ///< in a shard: those that it measures
   std::vector<SourceSet> run_sources = {};  ///< sources of the whole run
+  std::vector<Index> further_sources = {};  ///< solved from one by one, after the first source
   /// Why a solver does not support this mesh, by its name without parameters.
   std::map<std::string, std::string, std::less<>> unsupported = {};
 
@@ -81,6 +82,12 @@ Json names_in_json(const std::vector<SourceSet>& sources);
 
 /// One set, as in context.geodesic_bench.source_sets.
 Json describe(const PlannedMesh& mesh, const SourceSet& source);
+
+/// Whether solvers go on to the further sources of the mesh in this cell.
+bool has_further_sources(const Cell& cell);
+
+/// File for the further sources of a mesh, below the run folder, in the format of source_file.
+std::filesystem::path further_sources_file(const PlannedMesh& mesh);
 
 /// File for the vertices of a set, below the run folder, in the format of `solve --sources-file`.
 std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source);

@@ -38,17 +38,21 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
 }  // namespace
 
 Failure ReferenceFiles::solve(const Cell& cell, const std::string& solver,
-                              const std::filesystem::path& file) {
+                              const std::filesystem::path& file, bool each) {
   if (const std::string* why = cell.mesh->unsupported_by(solver, *cell.source)) {
     return {Outcome::unsupported, *why};
   }
   ReferenceSpec spec{.solver = solver,
                      .mesh_file = cell.mesh->entry.file.string(),
                      .source = cell.source->vertices.front(),
+                     .each = each,
                      .output = file.string(),
                      .repair = request_.repair};
-  if (!cell.source->is_single()) {
-    spec.sources_file = folder_.parent_path() / source_file(*cell.mesh, *cell.source);
+  const std::filesystem::path run = folder_.parent_path();
+  if (each) {
+    spec.sources_file = run / further_sources_file(*cell.mesh);
+  } else if (!cell.source->is_single()) {
+    spec.sources_file = run / source_file(*cell.mesh, *cell.source);
   }
   ProcessLimits limits = limits_of(request_.suite);
   limits.memory_bytes /= at_a_time_;
@@ -64,7 +68,7 @@ Failure ReferenceFiles::solve(const Cell& cell, const std::string& solver,
 }
 
 std::string ReferenceFiles::compute(const Cell& cell, const std::string& solver,
-                                    const std::filesystem::path& file) {
+                                    const std::filesystem::path& file, bool each) {
   std::unique_lock lock(mutex_);
   const auto [at, first] = tried_.try_emplace(file.filename().string());
   lock.unlock();
@@ -72,13 +76,32 @@ std::string ReferenceFiles::compute(const Cell& cell, const std::string& solver,
   if (solver == kClosedForm || solver == kBruteForce) {
     return at->second = write_known(solver, cell, request_.repair, file);
   }
-  const Failure failure = solve(cell, solver, file);
+  const Failure failure = solve(cell, solver, file, each);
   at->second = failure.why;
   if (failure.outcome == Outcome::out_of_memory && at_a_time_ > 1) {
     lock.lock();
     tried_.erase(at);  // alone it has more
   }
   return failure.why;
+}
+
+std::filesystem::path ReferenceFiles::file_of(const Cell& cell, const std::string& source,
+                                              const std::string& by) const {
+  const std::string name = cell.mesh->entry.name + "__src" + source + "__" + by;
+  return folder_ / (as_file_name(name) + ".distances");
+}
+
+Reference ReferenceFiles::find_further(const Cell& cell) {
+  const std::vector<std::string> candidates =
+      reference_candidates(*cell.solver, {.named = request_.suite.reference, .many_sources = true});
+  std::vector<std::string> failures;
+  for (const std::string& by : candidates) {
+    const std::filesystem::path file = file_of(cell, "each", by);
+    const std::string failure = compute(cell, by, file, true);
+    if (failure.empty()) return {by, file};
+    failures.push_back(failure);
+  }
+  throw HarnessError("its further sources cannot be verified: " + join(failures, "; "));
 }
 
 Reference ReferenceFiles::find(const Cell& cell) {
@@ -90,14 +113,11 @@ Reference ReferenceFiles::find(const Cell& cell) {
                                  .brute_force = named == kBruteForce && faces <= kBruteForceFaces,
                                  .deciding_brute_force = faces <= kDecidingFaces,
                                  .many_sources = cell.source->vertices.size() > kFewSources};
-  const auto file_of = [&](const std::string& by) {
-    const std::string name = mesh.entry.name + "__src" + cell.source->name + "__" + by;
-    return folder_ / (as_file_name(name) + ".distances");
-  };
+  const auto file = [&](const std::string& by) { return file_of(cell, cell.source->name, by); };
   const auto ask = [&](const std::string& by) {
-    const std::string failure = compute(cell, by, file_of(by));
+    const std::string failure = compute(cell, by, file(by));
     if (!failure.empty()) throw NoReference(failure);
-    return read_distances(file_of(by), mesh.vertices);
+    return read_distances(file(by), mesh.vertices);
   };
   try {
     const auto [by, distances, remark] =
@@ -105,7 +125,7 @@ Reference ReferenceFiles::find(const Cell& cell) {
     const std::string line = mesh.entry.name + ", source " + cell.source->name + ": " + remark;
     const std::lock_guard lock(mutex_);
     if (!remark.empty() && reported_.insert(line).second) std::cerr << line << '\n';
-    return {by, file_of(by)};
+    return {by, file(by)};
   } catch (const NoReference& why) {
     throw HarnessError("cannot be verified: " + std::string(why.what()));
   }

@@ -38,6 +38,11 @@ class ReferenceFiles {
   /// @throws HarnessError with the reason why each candidate failed
   Reference find(const Cell& cell);
 
+  /// The distances from each further source of the cell's mesh, by the best solver that can verify
+  /// the cell's (without arbitration between two: the cell has passed that from its own source).
+  /// @throws HarnessError as `find`
+  Reference find_further(const Cell& cell);
+
   /// Computes the references that `find` will need for these cells, of each source in a thread of
   /// its own. They share the memory limit. `find` reports failures, and tries again those that
   /// ran out of memory beside others.
@@ -45,9 +50,13 @@ class ReferenceFiles {
 
  private:
   // Returns why the distances could not be computed; empty when they were.
+  // @param each from each further source, not from the cell's own
   std::string compute(const Cell& cell, const std::string& solver,
-                      const std::filesystem::path& file);
-  Failure solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
+                      const std::filesystem::path& file, bool each = false);
+  Failure solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file,
+                bool each);
+  std::filesystem::path file_of(const Cell& cell, const std::string& source,
+                                const std::string& by) const;
 
   std::filesystem::path folder_;
   const RunRequest& request_;

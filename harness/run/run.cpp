@@ -101,6 +101,9 @@ CellSpec Run::spec_of(const Cell& cell) const {
     spec.source_set = cell.source->name;
     spec.sources_file = folder_ / source_file(*cell.mesh, *cell.source);
   }
+  if (has_further_sources(cell)) {
+    spec.further_sources = folder_ / further_sources_file(*cell.mesh);
+  }
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),
       "--benchmark_min_time=" + Json(suite.min_time).dump()};
@@ -284,6 +287,10 @@ void write_source_sets(const Plan& plan, const fs::path& folder) {
       if (source.is_single()) continue;
       make_folder(folder / "sources");
       write_source_vertices(folder / source_file(mesh, source), source.vertices);
+    }
+    if (!mesh.further_sources.empty()) {
+      make_folder(folder / "sources");
+      write_source_vertices(folder / further_sources_file(mesh), mesh.further_sources);
     }
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <fstream>
 #include <tuple>
 
 #include "harness/base/error.h"
@@ -204,20 +203,39 @@ ReferenceDistances LocalReference::distances(const Query& query) {
   return chosen;
 }
 
+void write_distances(std::ostream& to, std::span<const double> distances) {
+  to.write(reinterpret_cast<const char*>(distances.data()),
+           static_cast<std::streamsize>(distances.size_bytes()));
+}
+
 void write_distances(const std::filesystem::path& file, std::span<const double> distances) {
-  write_bytes(file, {reinterpret_cast<const char*>(distances.data()), distances.size_bytes()});
+  AtomicFile whole(file);
+  write_distances(whole.stream(), distances);
+  whole.commit();
 }
 
 std::vector<double> read_distances(const std::filesystem::path& file, std::size_t vertices) {
-  std::vector<double> distances(vertices);
-  const auto bytes = static_cast<std::streamsize>(vertices * sizeof(double));
-  std::ifstream in(file, std::ios::binary);
-  in.read(reinterpret_cast<char*>(distances.data()), bytes);
-  if (in.gcount() != bytes || in.peek() != std::ifstream::traits_type::eof()) {
-    throw HarnessError("'" + file.string() + "' does not hold " + std::to_string(vertices) +
+  DistanceRows rows(file, 1, vertices);
+  const std::span<const double> row = rows.next();
+  return {row.begin(), row.end()};
+}
+
+DistanceRows::DistanceRows(const std::filesystem::path& file, std::size_t rows,
+                           std::size_t vertices)
+    : in_(file, std::ios::binary), name_(file.string()), row_(vertices) {
+  std::error_code absent;
+  if (std::filesystem::file_size(file, absent) != rows * vertices * sizeof(double) || absent) {
+    throw HarnessError("'" + name_ + "' does not hold " + std::to_string(rows * vertices) +
                        " distances");
   }
-  return distances;
+}
+
+std::span<const double> DistanceRows::next() {
+  const auto bytes = static_cast<std::streamsize>(row_.size() * sizeof(double));
+  if (!in_.read(reinterpret_cast<char*>(row_.data()), bytes)) {
+    throw HarnessError("'" + name_ + "' cannot be read to its end");
+  }
+  return row_;
 }
 
 }  // namespace geodesic::harness

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -134,9 +135,26 @@ class LocalReference {
 
 /// Writes distances for another process: raw doubles of this machine, one per vertex. The file is
 /// written completely or not at all. @throws HarnessError
+void write_distances(std::ostream& to, std::span<const double> distances);
 void write_distances(const std::filesystem::path& file, std::span<const double> distances);
 
 /// @throws HarnessError when the file does not hold `vertices` distances
 std::vector<double> read_distances(const std::filesystem::path& file, std::size_t vertices);
+
+/// Distances from one source after the other, in the format of write_distances: a file that may be
+/// larger than memory.
+class DistanceRows {
+ public:
+  /// @throws HarnessError when the file does not hold `rows` times `vertices` distances
+  DistanceRows(const std::filesystem::path& file, std::size_t rows, std::size_t vertices);
+
+  /// The distances from the next source, until the next call. @throws HarnessError on a read error
+  std::span<const double> next();
+
+ private:
+  std::ifstream in_;
+  std::string name_;
+  std::vector<double> row_;
+};
 
 }  // namespace geodesic::harness

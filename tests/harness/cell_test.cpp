@@ -279,6 +279,50 @@ TEST_F(RunTest, PathsAreMeasuredOfSolversThatHaveThemFromSingleVertices) {
   EXPECT_GT(number("dijkstra", "mean_excess"), number("flip-out", "mean_excess"));
 }
 
+TEST_F(RunTest, FurtherSourcesAreSolvedInTheFirstCellOfAMeshAndComparedWhereNotExact) {
+  measure({"--solvers", exact_solver() + ",dijkstra", "--sources", "2", "--meshes", "hill",
+           "--further-sources", "5"});
+  const std::string first = rows().at(0).at("source").dump();
+  for (const json& each : rows()) {
+    const bool is_first = each.at("source").dump() == first;
+    ASSERT_EQ(each.contains("further"), is_first) << each;
+    EXPECT_EQ(each.contains("further_errors"), is_first && each.at("solver") == "dijkstra");
+    if (!is_first) continue;
+    EXPECT_EQ(each.at("further").at("sources"), 5);
+    EXPECT_GT(each.at("further").at("time"), 0);
+    EXPECT_GT(each.at("further").at("pair_time"), 0);
+  }
+  const json errors = row("dijkstra/hill/src:" + first).at("further_errors");
+  EXPECT_NE(errors.at("reference"), "dijkstra");
+  EXPECT_GT(errors.at("mean"), 0);
+  EXPECT_GT(errors.at("max"), errors.at("mean"));
+  EXPECT_LE(errors.at("pair_max"), errors.at("max"));
+  EXPECT_GT(errors.at("pair_max"), errors.at("pair_mean"));
+}
+
+TEST_F(RunTest, ErrorsOfFurtherSourcesAreThoseOfTheSolver) {
+  const Output run =
+      run_suite(kFaultyProgram, {"--solvers", "upper?off=0.5", "--sources", "1", "--meshes",
+                                 "tetrahedron", "--further-sources", "100"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json of_all = rows().at(0);
+  EXPECT_EQ(of_all.at("further").at("sources"), 4);  // the mesh has no more vertices
+  const json errors = of_all.at("further_errors");
+  EXPECT_NEAR(errors.at("mean"), 0.375, 1e-12);  // of four vertices, the source has none
+  for (const char* each : {"max", "pair_mean", "pair_max"})
+    EXPECT_NEAR(errors.at(each), 0.5, 1e-12);
+}
+
+TEST_F(RunTest, AWrongAnswerFromAFurtherSourceLeavesNoTime) {
+  const Output run =
+      run_suite(kFaultyProgram, {"--solvers", "stale-bound", "--sources", "1", "--meshes",
+                                 "tetrahedron", "--further-sources", "4"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  const json wrong = rows().at(0);
+  expect_words(message(wrong), {"from further source ", "relative error 1e-09"});
+  expect_no_time(wrong);
+}
+
 TEST_F(RunTest, AMeshWithoutAnySourceIsSkippedWithTheReason) {
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "0", "--meshes",
                                          "hill,tetrahedron", "--source-sets", "boundary"});

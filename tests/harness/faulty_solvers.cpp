@@ -180,6 +180,11 @@ const Wrong kWrong[] = {
      [](const Asked& asked) {
        if (asked.sources.size() > 1) asked.spoil();
      }},
+    // Too short after a query from another source.
+    {inexact("stale-bound", Exactness::upper_bound),
+     [](const Asked& asked) {
+       if (asked.sources.size() > 1) asked.distances[asked.last_vertex()] *= 1 - 1e-9;
+     }},
     {faulty("disturbed"),
      [](const Asked& asked) {
        if (asked.recording != nullptr) asked.spoil();

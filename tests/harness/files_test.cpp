@@ -66,6 +66,17 @@ TEST_F(Files, DistancesOfAnotherMeshAreRefused) {
   expect_error([&] { read_distances(folder_ / "d", 1); }, {"does not hold 1 distances"});
 }
 
+TEST_F(Files, DistancesFromSeveralSourcesComeBackOneSourceAfterTheOther) {
+  write_distances(folder_ / "d", std::vector{0.0, 1.0, 2.0, 0.0});
+  DistanceRows rows(folder_ / "d", 2, 2);
+  for (const std::vector<double>& row : {std::vector{0.0, 1.0}, {2.0, 0.0}}) {
+    const auto read = rows.next();
+    EXPECT_EQ(std::vector(read.begin(), read.end()), row);
+  }
+  expect_error([&] { rows.next(); }, {"cannot be read to its end"});
+  expect_error([&] { DistanceRows(folder_ / "d", 3, 2); }, {"does not hold 6 distances"});
+}
+
 TEST_F(Files, Sha256IsTheStandardOne) {
   EXPECT_EQ(sha256_of_file(write("abc", "abc")),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -10,7 +10,7 @@ TEST(Suite, SetsEveryKey) {
   const Json all = Json::parse(R"({
     "solvers": ["a", "b"], "corpus": "real", "meshes": ["m"], "sources": 5,
     "source_sets": ["random:8", "boundary"], "repetitions": 7, "seed": 18446744073709551615,
-    "other_queries": 4, "path_targets": 6, "min_time": 0.25, "vectors": "plain", "time_limit": 9.5,
+    "other_queries": 4, "path_targets": 6, "further_sources": 7, "min_time": 0.25, "vectors": "plain", "time_limit": 9.5,
     "expected": {"a/m": "time-out"}, "reference": "b", "memory_limit": 8589934592})");
   EXPECT_EQ(Json(parse_suite(all, "suite.json")), all);
 }
