@@ -14,7 +14,7 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, many, many_sources, overview, path_costs, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
+    further_sources, growth, many, many_sources, overview, path_costs, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing, Picture
@@ -41,6 +41,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "many_sources_errors": many_sources.errors,
     "path_costs": path_costs.table,
     "path_numbers": path_costs.by_mesh,
+    "further_sources": further_sources.table,
     "twins": twins.table,
     "twins_overall": twins.overall,
     "break_even_numbers": break_even.table,

@@ -31,19 +31,28 @@ TYPES: dict[str, Any] = {"integer": np.int64, "number": np.float64, "string": np
 
 
 @cache
-def kinds() -> dict[str, str]:
-    """Returns "integer", "number" or "string" by column."""
+def parts() -> dict[str, dict[str, Any]]:
+    """Returns the part of the schema that describes the values, by column."""
 
-    def leaves(properties: dict[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+    def leaves(properties: dict[str, Any], prefix: str) -> Iterator[tuple[str, dict[str, Any]]]:
         for key, part in properties.items():
             part = resolved(part)
             if "properties" in part:
                 yield from leaves(part["properties"], f"{prefix}{key}.")
             elif prefix or key not in FOLLOWS:
-                kind = part.get("type", "string")  # an enumeration has texts
-                yield prefix + key, "integer" if key == SOURCE else kind
+                yield prefix + key, part
 
     return dict(leaves(schema()["$defs"]["row"]["properties"], ""))
+
+
+@cache
+def kinds() -> dict[str, str]:
+    """Returns "integer", "number" or "string" by column."""
+    # An enumeration has texts.
+    return {
+        key: "integer" if key == SOURCE else part.get("type", "string")
+        for key, part in parts().items()
+    }
 
 
 @dataclass(frozen=True)
@@ -248,8 +257,7 @@ class Columns:
         outcome are validated, and each distinct text."""
         if not self.whole or (self.length and OUTCOME not in self.arrays):
             return False
-        row = schema()["$defs"]["row"]["properties"]
-        texts = ((row[key], text) for key, of in self.texts.items() for text in of)
+        texts = ((parts()[key], text) for key, of in self.texts.items() for text in of)
         return all(is_valid(text, part) for part, text in texts) and is_valid(
             data | {"benchmarks": self._extreme_rows() if self.length else []}
         )

@@ -41,6 +41,18 @@ def test_a_run_in_columns_is_the_run_in_json(stored: Path, golden_run: Run) -> N
     assert outcomes.largest_errors(run) == outcomes.largest_errors(golden_run)
 
 
+def test_a_text_inside_an_object_is_read_and_checked(golden_folder: Path) -> None:
+    data = json.loads((golden_folder / "run.json").read_text())
+    errors = {"mean": 0.1, "max": 0.2, "pair_mean": 0.1, "pair_max": 0.2, "reference": "mmp"}
+    row = next(row for row in data["benchmarks"] if row["outcome"] == "ok")
+    row |= {"further": {"sources": 2, "time": 1.0, "pair_time": 1.0}, "further_errors": errors}
+    run = run_of(Path("run.json"), data)
+    assert {"further_errors": errors}.items() <= next(one for one in run.rows if one.number("further.sources")).data.items()
+    row["further_errors"]["reference"] = "two\nlines"
+    with pytest.raises(ResultError, match="reference"):
+        run_of(Path("run.json"), data)
+
+
 def arrays(change: Change) -> Callable[[Path], None]:
     def apply(folder: Path) -> None:
         with np.load(folder / "rows.npz") as file:

@@ -349,6 +349,7 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
         "run --corpus frontier": ["frontier", "which_to_take", "which_to_take_mean"],
         "run --source-sets": ["many_sources_errors", "many_sources_numbers", "many_sources"],
         "run --path-targets": ["path_costs", "path_numbers", "paths_compared"],
+        "run --further-sources": ["further_sources"],
     }.items():
         assert all(words in why.pop(name) for name in names)
     assert list(why) == [
