@@ -14,25 +14,6 @@
 
 namespace geodesic {
 
-/// For tests: during its lifetime, threads of a team wait for a while before some pieces.
-class DelayedPieces {
- public:
-  DelayedPieces() { living.fetch_add(1); }
-  ~DelayedPieces() { living.fetch_sub(1); }
-  DelayedPieces(const DelayedPieces&) = delete;
-  DelayedPieces& operator=(const DelayedPieces&) = delete;
-
-  static void wait() {
-    if (living.load(std::memory_order_relaxed) == 0) return;
-    thread_local unsigned state = 0;
-    state = state * 1664525u + 1013904223u;  // soon differs between threads
-    for (unsigned i = state >> 27; i > 0; --i) std::this_thread::yield();
-  }
-
- private:
-  static inline std::atomic<int> living = 0;
-};
-
 class ThreadTeam {
  public:
   /// Runs work(team, thread) in up to `threads` threads, including this one, until all have ended;
@@ -72,11 +53,7 @@ class ThreadTeam {
     for (const bool steals : {false, true}) {
       for (std::size_t i = 0; i < count; ++i) {
         if (!steals && home(i) != thread) continue;
-        if (taken_[i].load(std::memory_order_relaxed) ||
-            taken_[i].exchange(true, std::memory_order_relaxed)) {
-          continue;
-        }
-        DelayedPieces::wait();
+        if (taken_[i].load(std::memory_order_relaxed) || !take(i)) continue;
         attempt([&] { piece(i); });
       }
     }
@@ -110,6 +87,9 @@ class ThreadTeam {
   void wait_for_start() const {
     for (unsigned looks = 0; list_.load(std::memory_order_acquire) == 0; ++looks) pause(looks);
   }
+
+  /// @return false when another thread has taken piece i
+  bool take(std::size_t i);
 
   template <class Call>
   void attempt(const Call& call) {

@@ -10,11 +10,12 @@ namespace {
 
 constexpr double kPerRoot = 1024;  // factor of H sqrt(H)
 constexpr std::uint64_t kFloor = std::uint64_t{1} << 20;
-constexpr std::uint64_t kNotLowered = std::numeric_limits<std::int64_t>::max();
 
-constinit thread_local std::uint64_t lowered_to = kNotLowered;
+constinit thread_local std::uint64_t lowered_to = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
+
+void lower_window_bound(std::uint64_t most) { lowered_to = most; }  // tests/lowered_window_bound.h
 
 std::uint64_t window_bound(const Mesh& mesh) {
   const double half_edges = mesh.half_edge_count();  // below 2^32: the bound is below 2^59
@@ -27,8 +28,5 @@ void WindowBudget::report() const {
                            " windows on a mesh of " + std::to_string(faces_) +
                            " faces; please report this mesh");
 }
-
-LoweredWindowBound::LoweredWindowBound(std::uint64_t most) { lowered_to = most; }
-LoweredWindowBound::~LoweredWindowBound() { lowered_to = kNotLowered; }
 
 }  // namespace geodesic

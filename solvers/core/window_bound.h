@@ -79,13 +79,4 @@ class WindowBudget {
   std::int64_t left_ = bound_;
 };
 
-/// For tests: during its lifetime, the bound of solvers that its thread prepares is at most `most`.
-class LoweredWindowBound {
- public:
-  explicit LoweredWindowBound(std::uint64_t most);
-  ~LoweredWindowBound();
-  LoweredWindowBound(const LoweredWindowBound&) = delete;
-  LoweredWindowBound& operator=(const LoweredWindowBound&) = delete;
-};
-
 }  // namespace geodesic

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/delayed_pieces.h"
+
 namespace geodesic {
 namespace {
 

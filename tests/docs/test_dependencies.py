@@ -134,6 +134,13 @@ def test_every_layer_has_files() -> None:
     assert {layer(file) for file in includes()} == set(ORDER)
 
 
+def test_no_header_declares_what_only_tests_call() -> None:
+    """A header of tests/ declares that, and a .cpp file defines it."""
+    headers = [file for file in includes() if file.endswith(".h")]
+    spoken = re.compile(r"\b(for|in|only) tests\b", re.IGNORECASE)
+    assert [file for file in headers if spoken.search((ROOT / file).read_text("utf-8"))] == []
+
+
 @pytest.mark.parametrize(
     ("file", "included"),
     [

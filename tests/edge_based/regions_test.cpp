@@ -12,9 +12,10 @@
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_case.h"
 #include "meshes/random.h"
-#include "solvers/core/thread_team.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/parallel/regional_wavefront.h"
+#include "tests/delayed_pieces.h"
+#include "tests/lowered_window_bound.h"
 #include "tests/solved.h"
 
 namespace geodesic {

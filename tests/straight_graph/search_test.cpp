@@ -9,7 +9,7 @@
 
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
-#include "solvers/core/thread_team.h"
+#include "tests/delayed_pieces.h"
 #include "tests/solved.h"
 
 namespace geodesic {

@@ -3,6 +3,7 @@
 
 #include "meshes/connectivity.h"
 #include "meshes/oracles/random_meshes.h"
+#include "tests/lowered_window_bound.h"
 #include "tests/verify/solver_test.h"
 
 namespace geodesic::harness {
