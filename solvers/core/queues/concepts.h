@@ -1,4 +1,5 @@
-// Requirements of propagation on a queue. Any class with these members will do.
+// Requirements of propagation on a queue. Any class with these members will do: propagation calls
+// no others.
 #pragma once
 
 #include <concepts>
@@ -11,11 +12,15 @@ namespace geodesic {
 ///
 ///     const Index* upcoming();
 ///
-/// which returns an item that is popped soon but not next, for prefetching, or null; and
+/// which returns an item that is popped soon but not next, for prefetching, or null;
 ///
 ///     void keep_sorted();
 ///
-/// for the function keep_sorted below.
+/// for the function keep_sorted below; and
+///
+///     double least_key();
+///
+/// as in WindowQueueByKey, by which a solve that stops at targets ends early.
 template <class Queue>
 concept WindowQueue = requires(Queue queue, const Queue& constant, double key, Index window) {
   { constant.empty() } -> std::convertible_to<bool>;
@@ -36,6 +41,7 @@ template <class Queue>
 concept VertexQueue = requires(Queue queue, const Queue& constant, double key, Index vertex) {
   { constant.empty() } -> std::convertible_to<bool>;
   { constant.least_key() } -> std::convertible_to<double>;  // no waiting vertex has a smaller key
+  { queue.first_key() } -> std::convertible_to<double>;     // the same, nearer to the least key
   queue.clear();
   queue.push_or_decrease(vertex, key);            // no effect if its key is smaller already
   { queue.pop() } -> std::convertible_to<Index>;  // in any order; best with least keys first
