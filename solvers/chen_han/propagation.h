@@ -103,12 +103,10 @@ class Propagation {
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
-        if constexpr (Recorder::kRecords) --waiting_;
+        --waiting_;
         if (!is_outdated(w) && !is_too_long(w)) propagate(w);
       }
-      if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) sample();
-      }
+      if (progress_.made_step()) sample();
     }
   }
 
@@ -134,7 +132,7 @@ class Propagation {
     if (stops_) keep_sorted(queue_);
     pipeline_.clear();
     corners_.clear();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, source_vertices(mesh_, query));
+    progress_.start(mesh_, query);
     for (const InternalSource& source : query.sources) {
       if (!is_at_vertex(source)) continue;
       start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
@@ -150,7 +148,7 @@ class Propagation {
   void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last_segment);
     wait_to_emit(v, {});
   }
 
@@ -194,10 +192,8 @@ class Propagation {
       const Stored w{{0, e.length, from.x, from.y, source.distance}, e.twin, root, {}};
       // As least_distance: one more call of it would prevent the inlining of the frequent ones.
       if (distance_at(w, nearest_position(w)) > limit_) return;
-      if constexpr (Recorder::kRecords) {
-        recorder_.created(1);
-        recorder_.valid(1);
-      }
+      recorder_.created(1);
+      recorder_.valid(1);
       budget_.spend(1);
       propagate(w);
     };
@@ -240,14 +236,14 @@ class Propagation {
   }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    progress_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
   void reach(Index v, double distance, const Incoming& incoming, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last_segment);
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, incoming);
   }
 
@@ -297,9 +293,9 @@ class Propagation {
   }
 
   void propagate(const Stored& w) {
-    if constexpr (Recorder::kRecords) recorder_.propagated(1, w.depth.next());
+    recorder_.propagated(1, w.depth.next());
     const Index h = w.half_edge;
-    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, w.root);
+    recorder_.crossing(h, w, w.root);
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
@@ -359,7 +355,7 @@ class Propagation {
              Entry entry, const Point2& third, Index third_vertex) {
     const HalfEdge& e = mesh_.half_edge(across);
     if (e.twin == kNone || !(end - begin > kWindowWidth * e.length)) return;
-    if constexpr (Recorder::kRecords) recorder_.created(1);
+    recorder_.created(1);
     // Rounding must not move the source across the edge.
     const Stored w{{begin, end, source.x, std::min(source.y, 0.0), parent.sigma},
                    e.twin,
@@ -372,10 +368,8 @@ class Propagation {
     const double key = least_distance(w);
     if (key > limit_) return;
     push(key, w);
-    if constexpr (Recorder::kRecords) {
-      recorder_.valid(1);
-      recorder_.wavefront_size(++waiting_);
-    }
+    recorder_.valid(1);
+    recorder_.wavefront_size(++waiting_);
   }
 
   PassedFace passed_face(Index across, const Point2& third, Index third_vertex) const {
@@ -403,7 +397,7 @@ class Propagation {
   }
 
   const Mesh& mesh_;
-  Recorder recorder_;
+  [[no_unique_address]] Recorder recorder_;
   Index vertex_count_;
   WindowBudget budget_;
   typename Policy::Queue queue_;  // of slots in pool_

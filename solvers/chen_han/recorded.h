@@ -10,7 +10,7 @@ void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& quer
                                      std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     using Recorder = decltype(recorder);
-    if constexpr (recorder.kRecords) recording.window_bytes = sizeof(StoredWindow<NoDepth>);
+    recorder.window_bytes(sizeof(StoredWindow<NoDepth>));
     Propagation<Policy, DepthOf<Policy, Recorder>, Recorder>(mesh, recorder).run(query, distances);
   });
 }

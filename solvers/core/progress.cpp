@@ -6,7 +6,7 @@ namespace geodesic {
 namespace {
 
 // Counts the vertices that a path along edges joins to a source, including the sources.
-std::uint64_t count_reachable(const Mesh& mesh, std::span<const Index> sources) {
+std::uint64_t count_reachable(const Mesh& mesh, const InternalQuery& query) {
   std::vector<bool> seen(mesh.vertex_count());
   std::vector<Index> open;
   std::uint64_t count = 0;
@@ -16,7 +16,7 @@ std::uint64_t count_reachable(const Mesh& mesh, std::span<const Index> sources) 
     open.push_back(v);
     ++count;
   };
-  for (const Index v : sources) see(v);
+  for (const Index v : source_vertices(mesh, query)) see(v);
   while (!open.empty()) {
     const Index v = open.back();
     open.pop_back();
@@ -30,9 +30,9 @@ std::uint64_t count_reachable(const Mesh& mesh, std::span<const Index> sources) 
 
 }  // namespace
 
-void Progress::start(const Mesh& mesh, std::span<const Index> sources) {
+void Progress::start(const Mesh& mesh, const InternalQuery& query) {
   reached_ = 0;
-  reachable_ = count_reachable(mesh, sources);
+  reachable_ = count_reachable(mesh, query);
   next_step_ = 1;
 }
 

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
-#include "solvers/core/mesh.h"
+#include "solvers/core/query.h"
 
 namespace geodesic {
 
@@ -15,7 +14,7 @@ class Progress {
   static constexpr std::uint64_t kSteps = 64;  // number of equally spaced samples
 
   /// Starts a solve: no vertex is reached, not even a source.
-  void start(const Mesh& mesh, std::span<const Index> sources);
+  void start(const Mesh& mesh, const InternalQuery& query);
 
   /// Call when a vertex gets a new distance. @param former its distance before
   void reach(double former) { reached_ += former == kInfinity ? 1u : 0u; }

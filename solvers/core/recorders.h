@@ -40,29 +40,46 @@ WavefrontSample sample_wavefront(Index reached, const ForEachWindow& for_each_wi
   return sample;
 }
 
-/// Number of faces in a window's strip; an empty type when nothing is recorded.
-struct NoDepth {
-  NoDepth next() const { return {}; }
-};
-/// As NoDepth, with the count.
+/// Number of faces in a window's strip.
 struct StripDepth {
   std::uint32_t faces = 0;
   StripDepth next() const { return {faces + 1}; }
 };
 
-/// As LastSegment, when no paths are recorded: an empty type.
+// The types of data that only recorded solves keep, as timed solves have them: empty. They can be
+// changed like the data, but not read.
+
+/// As StripDepth.
+struct NoDepth {
+  constexpr NoDepth() = default;
+  constexpr NoDepth(StripDepth /*depth*/) {}  // NOLINT: as a depth
+  constexpr NoDepth next() const { return {}; }
+};
+
+/// As LastSegment.
 struct NoLastSegment {
-  NoLastSegment(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
+  constexpr NoLastSegment(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
+};
+
+/// As a number of windows.
+struct NoCount {
+  constexpr NoCount() = default;
+  constexpr NoCount(std::uint64_t /*windows*/) {}  // NOLINT: as a number
+  constexpr NoCount& operator++() { return *this; }
+  constexpr NoCount& operator--() { return *this; }
+  constexpr NoCount& operator+=(std::uint64_t /*windows*/) { return *this; }
+};
+
+/// As Progress.
+struct NoProgress {
+  constexpr void start(const Mesh& /*mesh*/, const InternalQuery& /*query*/) {}
+  constexpr void reach(double /*former*/) {}
+  constexpr bool made_step() const { return false; }
 };
 
 /// The type of last segments in a solver with this recorder.
 template <class Recorder>
 using LastSegmentOf = std::conditional_t<Recorder::kRemembers, LastSegment, NoLastSegment>;
-
-/// The types of data that only recorded solves count. A timed solve that used such data would not
-/// compile.
-struct NoProgress {};
-struct NoCount {};
 
 /// The recorder of timed solves: records nothing and costs nothing.
 struct NoRecorder {
@@ -72,11 +89,19 @@ struct NoRecorder {
   using Progress = NoProgress;
   using Count = NoCount;
 
-  void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
-  void created(std::uint64_t /*windows*/) {}
-  void valid(std::uint64_t /*windows*/) {}
-  void reinserted(std::uint64_t /*windows*/) {}
-  void wavefront_size(std::uint64_t /*windows*/) {}
+  // As those of CountingRecorder.
+  constexpr void window_bytes(std::size_t /*bytes*/) {}
+  constexpr void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
+  constexpr void created(std::uint64_t /*windows*/) {}
+  constexpr void valid(std::uint64_t /*windows*/) {}
+  constexpr void reinserted(std::uint64_t /*windows*/) {}
+  constexpr void wavefront_size(Count /*windows*/) {}
+  template <class ForEachWindow>
+  constexpr void sample(Progress /*progress*/, const ForEachWindow& /*for_each_window*/) {}
+
+  // As those of PathRecorder.
+  constexpr void arrived(Index /*v*/, NoLastSegment /*last_segment*/) {}
+  constexpr void crossing(Index /*h*/, const Window& /*w*/, Index /*root*/) {}
 
   /// The given phase runs during the lifetime of the result (phase_timer.h).
   struct [[nodiscard]] NoScope {
@@ -94,9 +119,8 @@ struct TimingRecorder : NoRecorder {
 };
 
 /// Fills a Recording with counters.
-struct CountingRecorder {
+struct CountingRecorder : NoRecorder {
   static constexpr bool kRecords = true;
-  static constexpr bool kRemembers = false;
   using Depth = StripDepth;
   using Progress = geodesic::Progress;
   using Count = std::uint64_t;
@@ -106,6 +130,8 @@ struct CountingRecorder {
         recording.strip_depth = 0;
   }
 
+  /// A stored window has `bytes` bytes.
+  void window_bytes(std::size_t bytes) { recording.window_bytes = bytes; }
   /// `windows` windows were propagated across one face. `deepest` is the longest strip among them,
   /// this face included.
   void propagated(std::uint64_t windows, Depth deepest) {
@@ -140,8 +166,6 @@ struct CountingRecorder {
     recording.wavefront_sd = sd_sum_ / ++samples_;
     return sample;
   }
-
-  NoRecorder::NoScope enter(Phase /*phase*/) const { return {}; }
 
   Recording& recording;
 

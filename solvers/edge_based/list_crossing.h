@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <type_traits>
 
 #include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
@@ -73,11 +72,10 @@ class ListCrossing {
   template <class Wavefront>
   void cross(Index h, Wavefront& wavefront) {
     auto& recorder = wavefront.recorder();
-    using Recorder = std::remove_cvref_t<decltype(recorder)>;
     gather_and_trim(h, recorder);
     if (batch_.count == 0) return;
     budget_.spend(batch_.count);
-    if constexpr (Recorder::kRemembers) hand_over(h, recorder);
+    hand_over(h, recorder);
 
     const FaceFrame face = face_frame(mesh_, h);
     Segment* left = lists_.allocate(batch_.count);
@@ -89,8 +87,8 @@ class ListCrossing {
     if (winner.is_contested && !mesh_.crosses_non_manifold_edges()) {
       choose_sides(winner, face, recorder);
       kernels_.unfold_marked(batch_, face, kept_left_, kept_right_, *left, *right);
-      if constexpr (Recorder::kRecords) count(kept_left_, kept_right_, recorder);
-    } else if constexpr (Recorder::kRecords) {
+      count(kept_left_, kept_right_, recorder);
+    } else {
       count(batch_.passes_left, batch_.passes_right, recorder);
     }
     land(Mesh::previous(h), left, Place::front, wavefront);
@@ -196,6 +194,7 @@ class ListCrossing {
 
   template <class Recorder>
   void hand_over(Index h, Recorder& recorder) const {
+    if constexpr (!Recorder::kRemembers) return;
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (!batch_.is_struck_out(i)) recorder.crossing(h, batch_.window(i), root_of(i));
     }
@@ -203,9 +202,10 @@ class ListCrossing {
 
   template <class Recorder>
   void count(const Marks& to_left, const Marks& to_right, Recorder& recorder) const {
+    if constexpr (!Recorder::kRecords) return;
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (batch_.is_struck_out(i)) continue;
-      recorder.propagated(1, {depth_of(i)});
+      recorder.propagated(1, StripDepth{depth_of(i)});
       if (to_left[i] || to_right[i]) recorder.valid(1);
     }
   }

@@ -171,10 +171,8 @@ class MergedCrossing {
 
   template <class Recorder>
   static void count(const Line& line, Recorder& recorder) {
-    if constexpr (Recorder::kRecords) {
-      recorder.propagated(1, {std::uint32_t{line.strip.depth} + 1});
-      if (line.left || line.right) recorder.valid(1);
-    }
+    recorder.propagated(1, StripDepth{std::uint32_t{line.strip.depth} + 1});
+    recorder.valid(line.left || line.right);
   }
 
   /// Drops lines that cross the shortest line to the apex.

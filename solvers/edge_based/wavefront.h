@@ -53,10 +53,8 @@ class Wavefront {
   void run(const InternalQuery& query, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(distances);
-    if constexpr (Recorder::kRecords) {
-      recorder_.recording.window_bytes = sizeof(Window);
-      progress_.start(mesh_, source_vertices(mesh_, query));
-    }
+    recorder_.window_bytes(sizeof(Window));
+    progress_.start(mesh_, query);
     for (Index i = 0; i < query.sources.size(); ++i) {
       const InternalSource& source = query.sources[i];
       if (source.at.is_vertex()) {
@@ -71,9 +69,7 @@ class Wavefront {
     StopRule stop_rule(mesh_, query, distances_);
     while (!queue_.empty() && !stop_rule.is_over(queue_.least_key())) {
       advance();
-      if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) sample();
-      }
+      if (progress_.made_step()) sample();
     }
     if (!queue_.empty()) finish_up_to(stop_rule.farthest());
     crossing_.finish();
@@ -103,7 +99,7 @@ class Wavefront {
                                                 const LastSegmentOf<Recorder>& last_segment) {
     if (!(distance < distances_[v])) return;
     reach(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last_segment);
   }
 
   bool always_emits(Index v) const { return always_emits_[v]; }
@@ -192,9 +188,7 @@ class Wavefront {
                    const LastSegmentOf<Recorder>& last_segment) {
     const double distance = distances_[v] + length;
     if (!(distance < distances_[end])) return;
-    if constexpr (Recorder::kRemembers) {
-      if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, last_segment);
-    }
+    if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, last_segment);
     reach(end, distance);
     crossing_.follow_edge(v, end);
     if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = true;
@@ -225,7 +219,7 @@ class Wavefront {
   /// Records a path to v that is shorter than all before.
   void reach(Index v, double distance) {
     const auto timed = recorder_.enter(Phase::queue);
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    progress_.reach(distances_[v]);
     distances_[v] = distance;
     queue_.push_or_decrease(v, distance);
   }

@@ -59,9 +59,7 @@ class Propagation {
       } else if (w.state == State::vertex) {
         emit(w.into);
       }
-      if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) wavefront_.sample(progress_);
-      }
+      if (progress_.made_step()) wavefront_.sample(progress_);
     }
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
@@ -83,7 +81,7 @@ class Propagation {
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
     budget_.start();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, source_vertices(mesh_, query));
+    progress_.start(mesh_, query);
     stops_ = query.stop_at_targets;
     if (stops_) wavefront_.keep_sorted();
     stop_rule_ = StopRule(mesh_, query, distances_);
@@ -102,7 +100,7 @@ class Propagation {
   void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last_segment);
     wavefront_.push_vertex(v, distance);
   }
 
@@ -137,14 +135,14 @@ class Propagation {
   [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(wavefront_.least_key()); }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    progress_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
   void reach(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last_segment);
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
@@ -226,7 +224,7 @@ class Propagation {
 
   /// @param w in the frame of h, whose face it enters; y < 0
   void cross_face(Index h, const Window& w, const Origin& origin) {
-    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, origin.root);
+    recorder_.crossing(h, w, origin.root);
     const HalfEdge& e = mesh_.half_edge(h);
     const WindowSight sight(w, {e.apex_x, e.apex_y});
     const bool left = sight.left(), right = sight.right();
@@ -324,7 +322,7 @@ class Propagation {
   static constexpr int kMostInRow = 32;
 
   const Mesh& mesh_;
-  Recorder recorder_;
+  [[no_unique_address]] Recorder recorder_;
   WindowBudget budget_;
   Front wavefront_;
   double rounding_;  // of coordinates

@@ -9,10 +9,8 @@ template <class Policy>
 void Mmp<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
                                  std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
-    if constexpr (recorder.kRecords) {
-      recording.reinsertions = 0;
-      recording.window_bytes = sizeof(EdgeWindow<WindowOrigin<NoRecorder>>) + sizeof(ListedWindow);
-    }
+    recorder.reinserted(0);
+    recorder.window_bytes(sizeof(EdgeWindow<WindowOrigin<NoRecorder>>) + sizeof(ListedWindow));
     Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
   });
 }

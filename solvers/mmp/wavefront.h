@@ -86,7 +86,7 @@ class Wavefront {
     }
     if (w.state == State::waits) {
       windows_[number].state = State::done;
-      if constexpr (Recorder::kRecords) --waiting_;
+      --waiting_;
     } else {
       windows_.release(number);
     }
@@ -166,7 +166,7 @@ class Wavefront {
       pieces[j].number = accept(w, pieces[j].begin, pieces[j + 1].begin);
       --parts;
     }
-    if constexpr (Recorder::kRecords) recorder_.wavefront_size(waiting_);
+    recorder_.wavefront_size(waiting_);
     lists_.replace(edge, first, k, {pieces, count});
     if (again < w.end) [[unlikely]] {
       W rest = w;
@@ -196,14 +196,14 @@ class Wavefront {
       };
       if (!std::ranges::all_of(list, is_done)) return false;
       for (const ListedWindow& w : list) windows_.release(w.number);
-      if constexpr (Recorder::kRecords) windows_released_ += list.size();
+      windows_released_ += list.size();
       lists_.close(edge);
       return true;
     });
   }
 
   /// Passes the waiting windows to the recorder, edge by edge.
-  void sample(const Progress& progress) {
+  void sample(const typename Recorder::Progress& progress) {
     recorder_.sample(progress, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
         for (const ListedWindow& listed : lists_[edge]) {
@@ -286,7 +286,7 @@ class Wavefront {
     const Index number = windows_.add(
         {part, newcomer.into, is_queued ? State::waits : State::done, newcomer.origin});
     if (is_queued) {
-      if constexpr (Recorder::kRecords) ++waiting_;
+      ++waiting_;
       push(key, number);
     }
     return number;
@@ -312,7 +312,7 @@ class Wavefront {
     if (!part.is_queued()) return windows_.add(part);
     part.state = State::waits;
     const Index added = windows_.add(part);
-    if constexpr (Recorder::kRecords) ++waiting_;
+    ++waiting_;
     recorder_.reinserted(1);
     push(least_distance(part), added);
     return added;
@@ -325,7 +325,7 @@ class Wavefront {
       windows_.release(number);
     } else if (w.is_queued()) {
       w.state = State::dead;
-      if constexpr (Recorder::kRecords) --waiting_;
+      --waiting_;
     }
   }
 

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <type_traits>
-
-#include "solvers/core/recorders.h"
-
 namespace geodesic {
 namespace {
 
@@ -68,21 +64,6 @@ TEST(PhaseTimer, OfTheRealClockAddsUpToNoMoreThanTheTimeThatPassed) {
   EXPECT_EQ(times.queue.readings, 20000u);
   EXPECT_EQ(times.propagation.readings, 20001u);
   EXPECT_LE(times.propagation.seconds + times.queue.seconds, passed * 1.01);
-}
-
-// A constant expression cannot read a clock.
-constexpr bool enters_and_leaves_every_phase(const NoRecorder& recorder) {
-  const auto whole = recorder.enter(Phase::propagation);
-  const auto trimming = recorder.enter(Phase::trimming);
-  const auto queue = recorder.enter(Phase::queue);
-  return true;
-}
-
-TEST(NoRecorder, ReadsNoClock) {
-  static_assert(enters_and_leaves_every_phase(NoRecorder()));
-  static_assert(std::is_empty_v<NoRecorder>);
-  static_assert(std::is_empty_v<decltype(NoRecorder().enter(Phase::queue))>);
-  static_assert(!std::is_empty_v<TimingRecorder>);
 }
 
 }  // namespace

@@ -21,8 +21,10 @@ Mesh strip(Index vertices) {
 }
 
 Progress started(const Mesh& mesh, const std::vector<Index>& sources) {
+  Query query;
+  for (const Index v : sources) query.sources.push_back({v});
   Progress progress;
-  progress.start(mesh, sources);
+  progress.start(mesh, in_internal_numbers(mesh, query));
   return progress;
 }
 
