@@ -126,6 +126,24 @@ class Mesh {
   }
   std::span<const Index> outgoing(Index v) const&& = delete;
 
+  /// True when the corner between h and previous(h) is the last one of its fan, counter-clockwise.
+  /// The edge of previous(h) then belongs to no half-edge that leaves the origin of h.
+  bool is_last_of_fan(Index h) const { return twin(previous(h)) == kNone; }
+
+  /// Calls visit(neighbour, edge, facing) for each edge at v. `edge` is its half-edge that leaves v
+  /// or, at the end of a fan, the one that arrives; `facing` is the half-edge of the same face
+  /// whose apex is the neighbour. Each edge comes once, except non-manifold ones: once for each of
+  /// their faces if they are cut; and all edges come once more in mirror images, if the mesh has
+  /// any.
+  template <class Visit>
+  void for_each_edge_at(Index v, const Visit& visit) const {
+    for (const Index h : outgoing(v)) {
+      const Index into = previous(h);
+      visit(head(h), h, into);
+      if (is_last_of_fan(h)) visit(origin(into), into, h);
+    }
+  }
+
   /// True where a shortest path may bend: the total angle is above 2 pi, or at a boundary above pi;
   /// several fans share the vertex; or it is a corner of a face so flat (kFlatFace) that rounding
   /// dominates its angles.

@@ -13,17 +13,6 @@ namespace {
 /// vertices are popped twice.
 constexpr double kBucketWidth = 1;
 
-/// Calls visit(Index neighbour, double length) for each edge of a vertex, once for most of them.
-template <class Visit>
-void for_each_neighbour(const Mesh& mesh, Index v, const Visit& visit) {
-  for (const Index h : mesh.outgoing(v)) {
-    visit(mesh.head(h), mesh.half_edge(h).length);
-    // An edge of two faces leaves v in one of them; any other edge may only arrive at v.
-    const Index into = Mesh::previous(h);
-    if (mesh.twin(into) == kNone) visit(mesh.origin(into), mesh.half_edge(into).length);
-  }
-}
-
 }  // namespace
 
 Dijkstra::Dijkstra(const Mesh& mesh, const Description& description)
@@ -44,7 +33,9 @@ void Dijkstra::run(const InternalQuery& query, std::span<double> distances,
     const Index v = front_.pop();
     const double d = distances[v];
     mesh().prefetch_faces_around(front_.upcoming());
-    for_each_neighbour(mesh(), v, [&](Index u, double length) { reach(u, d + length); });
+    mesh().for_each_edge_at(v, [&](Index u, Index edge, Index /*facing*/) {
+      reach(u, d + mesh().half_edge(edge).length);
+    });
   }
   front_.clear();
 }
@@ -65,8 +56,8 @@ std::vector<InternalPoint> Dijkstra::trace_path(const InternalQuery& query,
     if (waiting.empty()) throw std::invalid_argument("dijkstra: not the distances of this query");
     waiting.pop_back();
     Index nearer = kNone;
-    for_each_neighbour(mesh(), v, [&](Index u, double length) {
-      if (distances[u] + length != distances[v]) return;
+    mesh().for_each_edge_at(v, [&](Index u, Index edge, Index /*facing*/) {
+      if (distances[u] + mesh().half_edge(edge).length != distances[v]) return;
       if (distances[u] < distances[v]) nearer = u;
       if (distances[u] == distances[v] && u != vertex && after.emplace(u, v).second) {
         waiting.push_back(u);

@@ -171,13 +171,11 @@ class Wavefront {
   /// ends by shorter paths.
   void follow_edges_from(Index v) {
     const bool emits = may_bend_at(v);
-    for (const Index h : mesh_.outgoing(v)) {
-      const Index into = Mesh::previous(h);
-      const HalfEdge &out = mesh_.half_edge(h), &in = mesh_.half_edge(into);
-      follow_edge(v, mesh_.head(h), out.length, in, emits, {into, v, {in.length, 0}});
-      // All other edges belong to a half-edge that leaves v.
-      if (in.twin == kNone) follow_edge(v, in.origin, in.length, out, emits, {h, v, {0, 0}});
-    }
+    mesh_.for_each_edge_at(v, [&](Index end, Index edge, Index facing) {
+      const HalfEdge& apex_is_end = mesh_.half_edge(facing);
+      const double at = apex_is_end.origin == v ? 0 : apex_is_end.length;
+      follow_edge(v, end, mesh_.half_edge(edge).length, apex_is_end, emits, {facing, v, {at, 0}});
+    });
   }
 
   /// Follows an edge from v to its other end.

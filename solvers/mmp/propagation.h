@@ -126,9 +126,9 @@ class Propagation {
     };
     spread_from(mesh_, source.at, reach_corner, cross_side);
     const Index under = edge_under(source.at);
-    if (under == kNone) return;
+    if (under == kNone || keep_ != Keep::for_readers) return;
     const double length = mesh_.half_edge(under).length;
-    land_along(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, origin);
+    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, false, origin);
   }
 
   /// True when no more distances can change.
@@ -159,20 +159,18 @@ class Propagation {
   /// False when v has already sent out windows of its distance, up to rounding.
   bool has_news(Index v) const { return distances_[v] < emitted_[v] * (1 - kPathMargin); }
 
-  /// Sends windows from v to the opposite edges of its faces, and along its own edges.
+  /// Sends windows from v to the opposite edges of its faces, and follows its own edges.
   void emit(Index v) {
     if (!has_news(v)) return;
     const double d = distances_[v];
     emitted_[v] = d;
     const Origin along{Root(v), {}}, beyond = along.next();
+    if (keep_ == Keep::for_readers) emit_along_edges(v, along);
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
       reach_neighbour(into, d, out, {into, v, {in, 0}});
       reach_neighbour(h, d, in, {h, v, {0, 0}});
-      land_along(h, {0, out, 0, 0, d}, along);
-      // The edge has no half-edge that leaves v.
-      if (mesh_.twin(into) == kNone) land_along(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
@@ -181,6 +179,15 @@ class Propagation {
       cross_at_once(opposite, across, beyond);
       row_ = 0;
     }
+  }
+
+  /// A window along its own edge is of use only to those who read all windows in the end: it enters
+  /// no face, and what it takes from others is soon taken by other windows too.
+  [[gnu::cold, gnu::noinline]] void emit_along_edges(Index v, const Origin& along) {
+    mesh_.for_each_edge_at(v, [&](Index /*end*/, Index edge, Index /*facing*/) {
+      const double length = mesh_.half_edge(edge).length;
+      land(edge, {0, length, mesh_.origin(edge) == v ? 0 : length, 0, distances_[v]}, false, along);
+    });
   }
 
   /// If a pseudo-source lies on an edge (the apex of a face with almost no area), all its lines
@@ -267,12 +274,6 @@ class Propagation {
     if (row_ > 0) [[unlikely]] {
       cross_at_once(side, mirrored_if(!right, child, length), origin);
     }
-  }
-
-  /// A window along its own edge is of use only to those who read all windows in the end: it enters
-  /// no face, and what it takes from others is soon taken by other windows too.
-  void land_along(Index h, const Window& w, const Origin& origin) {
-    if (keep_ == Keep::for_readers) land(h, w, false, origin);
   }
 
   /// @param w in the frame of h, whose face it leaves, or `mirrored`; y >= 0

@@ -85,7 +85,7 @@ class Builder {
         const auto in = static_cast<float>(sectors_.direction(Mesh::previous(entered)));
         add({mesh_.apex(entered), false, out, in, to, {-side.x, -side.y}, norm(to)}, v);
       });
-      if (mesh_.twin(into) == kNone) {
+      if (mesh_.is_last_of_fan(h)) {
         add({mesh_.origin(into),
              true,
              out,

@@ -139,8 +139,7 @@ class VirtualSource final : public Solver {
         cross(h, v, head, apex);
       }
       if (distances_[apex] > d) {
-        // An edge of two faces leaves v in one of them; any other edge may only arrive at v.
-        if (mesh().twin(into) == kNone) reach(apex, d + mesh().half_edge(into).length, wave);
+        if (mesh().is_last_of_fan(h)) reach(apex, d + mesh().half_edge(into).length, wave);
       } else if (crosses) {
         cross(into, apex, v, head);
       }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -97,6 +98,25 @@ TEST(Mesh, lists_the_half_edges_that_leave_a_vertex) {
   EXPECT_EQ(mesh.outgoing(0).size(), 5u);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     for (const Index h : mesh.outgoing(v)) EXPECT_EQ(mesh.origin(h), v);
+  }
+}
+
+TEST(Mesh, gives_each_edge_at_a_vertex_once_at_a_boundary_too) {
+  for (const TriangleSoup& soup : {square(), cube_corner(), fan(5, 0, 0)}) {
+    const Mesh mesh(soup);
+    Index ends = 0;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      std::set<Index> neighbours;
+      mesh.for_each_edge_at(v, [&](Index neighbour, Index edge, Index facing) {
+        EXPECT_TRUE(neighbours.insert(neighbour).second) << v << " to " << neighbour;
+        EXPECT_EQ(mesh.origin(edge) == v ? mesh.head(edge) : mesh.origin(edge), neighbour);
+        EXPECT_TRUE(mesh.origin(edge) == v || mesh.head(edge) == v);
+        EXPECT_EQ(mesh.apex(facing), neighbour);
+        EXPECT_EQ(facing / 3, edge / 3);
+        ++ends;
+      });
+    }
+    EXPECT_EQ(ends, 2 * mesh.edge_count());
   }
 }
 
