@@ -286,9 +286,10 @@ class Propagation {
     }
     find_shadow(mesh_, v, unreliable_[v] ? Incoming{} : incoming, shadow_);
     for (const ShadowedEdge& edge : shadow_) {
-      const Stored parent{{0, 0, 0, 0, distance}, kNone, v, {}};
+      const Stored parent{{}, kNone, v, {}};
       const Point2 source = apex_from_beyond(mesh_.half_edge(edge.across));
-      offer(parent, edge.across, edge.begin, edge.end, source, Entry::at_origin, source, v);
+      const Window child{edge.begin, edge.end, source.x, source.y, distance};
+      offer(parent, edge.across, child, Entry::at_origin, source, v);
     }
   }
 
@@ -318,14 +319,12 @@ class Propagation {
                  {bend, 0}, {h, w.root, {w.x, w.y}});
     }
     if (left) {
-      const double end = sight.right() ? face.left : face.on_left(w, w.end);
-      offer(w, to_left, face.on_left(w, w.begin), end, face.to_left(w.x, w.y), Entry::at_origin,
+      offer(w, to_left, face.left_child(w, sight.right()), Entry::at_origin,
             face.to_left(face.length, 0), mesh_.origin(to_right));
     }
     if (right) {
-      const double begin = sight.left() ? 0.0 : face.on_right(w, w.begin);
-      offer(w, to_right, begin, face.on_right(w, w.end), face.to_right(w.x, w.y), Entry::at_head,
-            face.to_right(0, 0), mesh_.origin(h));
+      offer(w, to_right, face.right_child(w, sight.left()), Entry::at_head, face.to_right(0, 0),
+            mesh_.origin(h));
     }
   }
 
@@ -349,18 +348,14 @@ class Propagation {
   }
 
   /// Queues a child of `parent` that leaves a face through the half-edge `across`, unless it is
-  /// useless. Positions and points are in the frame of the twin of `across`.
+  /// useless. The child and `third` are in the frame of the twin of `across`.
   /// @param third, third_vertex the vertex of the face opposite to `across`
-  void offer(const Stored& parent, Index across, double begin, double end, const Point2& source,
-             Entry entry, const Point2& third, Index third_vertex) {
+  void offer(const Stored& parent, Index across, const Window& child, Entry entry,
+             const Point2& third, Index third_vertex) {
     const HalfEdge& e = mesh_.half_edge(across);
-    if (e.twin == kNone || !(end - begin > kWindowWidth * e.length)) return;
+    if (e.twin == kNone || is_void(child, e.length)) return;
     recorder_.created(1);
-    // Rounding must not move the source across the edge.
-    const Stored w{{begin, end, source.x, std::min(source.y, 0.0), parent.sigma},
-                   e.twin,
-                   parent.root,
-                   parent.depth.next()};
+    const Stored w{child, e.twin, parent.root, parent.depth.next()};
     if constexpr (Filter::kFilters) {
       const auto timed = recorder_.enter(Phase::trimming);
       if (Filter::is_useless(w, entry, passed_face(across, third, third_vertex))) return;

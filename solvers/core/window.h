@@ -105,6 +105,23 @@ struct FaceFrame {
     const double dx = px - apex_x, dy = py - apex_y;
     return {dx * right_x + dy * right_y, dy * right_x - dx * right_y};
   }
+
+  /// The lines of a window that cross the left edge, as a window in the frame of its twin, which
+  /// may be void. Rounding does not move the source across the edge.
+  /// @param passes_apex some lines of the window cross the right edge: these go up to the apex
+  Window left_child(const Window& w, bool passes_apex) const {
+    const Point2 from = to_left(w.x, w.y);
+    return {on_left(w, w.begin), passes_apex ? left : on_left(w, w.end), from.x,
+            std::min(from.y, 0.0), w.sigma};
+  }
+
+  /// The same of the right edge.
+  /// @param passes_apex some lines of the window cross the left edge
+  Window right_child(const Window& w, bool passes_apex) const {
+    const Point2 from = to_right(w.x, w.y);
+    return {passes_apex ? 0 : on_right(w, w.begin), on_right(w, w.end), from.x,
+            std::min(from.y, 0.0), w.sigma};
+  }
 };
 
 /// @param h the half-edge whose face is entered

@@ -75,6 +75,18 @@ class WindowSight {
   double right_of_begin_, right_of_end_;  // times two lengths
 };
 
+/// Calls land(side, child) for each child of a window that crosses a face: `side` is the half-edge
+/// through which the child's lines leave the face, `child` is in the frame of its twin, and may be
+/// void.
+/// @param h the half-edge whose face is entered; face and sight are those of w and h
+template <class Land>
+void for_each_child(Index h, const FaceFrame& face, const Window& w, const WindowSight& sight,
+                    const Land& land) {
+  const bool left = sight.left(), right = sight.right();
+  if (left) land(Mesh::previous(h), face.left_child(w, right));
+  if (right) land(Mesh::next(h), face.right_child(w, left));
+}
+
 /// Position where the line from the window's source to the apex crosses the line of the edge.
 inline double line_crossing(const Window& w, const FaceFrame& face) {
   const double up = std::max(face.apex_y - w.y, kLeastHeight);

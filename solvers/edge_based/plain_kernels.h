@@ -143,19 +143,13 @@ inline void unfold_marked(const Batch& batch, const FaceFrame& face, const Marks
   left.count = right.count = 0;
   for (std::size_t i = 0; i < batch.count; ++i) {
     const Window w = batch.window(i);
+    const bool passes_left = batch.passes_left.groups()[i] != 0;
+    const bool passes_right = batch.passes_right.groups()[i] != 0;
     if (to_left.groups()[i] != 0) {
-      const bool sees_apex = batch.passes_right.groups()[i] != 0;
-      const Point2 source = face.to_left(w.x, w.y);
-      const double end = sees_apex ? face.left : face.on_left(w, w.end);
-      append(batch, i, {face.on_left(w, w.begin), end, source.x, std::min(source.y, 0.0), w.sigma},
-             face.left, left);
+      append(batch, i, face.left_child(w, passes_right), face.left, left);
     }
     if (to_right.groups()[i] != 0) {
-      const bool sees_apex = batch.passes_left.groups()[i] != 0;
-      const Point2 source = face.to_right(w.x, w.y);
-      const double begin = sees_apex ? 0 : face.on_right(w, w.begin);
-      append(batch, i, {begin, face.on_right(w, w.end), source.x, std::min(source.y, 0.0), w.sigma},
-             face.right, right);
+      append(batch, i, face.right_child(w, passes_left), face.right, right);
     }
   }
 }

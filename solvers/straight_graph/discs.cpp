@@ -137,7 +137,6 @@ class Disc {
   void land(Index h, Waiting w) {
     const HalfEdge& edge = mesh_.half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
-    w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
     w.half_edge = edge.twin;
     const EndpointBounds ends(edge.length, reached_[mesh_.head(h)].distance,
                               reached_[edge.origin].distance);
@@ -160,21 +159,9 @@ class Disc {
     } else if (sight.reaches()) {
       reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y), false);
     }
-    Waiting child = w;
-    child.is_straight = is_straight;
-    if (left) {
-      const Point2 from = face.to_left(w.x, w.y);
-      static_cast<Window&>(child) = {face.on_left(w, w.begin),
-                                     right ? face.left : face.on_left(w, w.end), from.x, from.y,
-                                     w.sigma};
-      land(Mesh::previous(h), child);
-    }
-    if (right) {
-      const Point2 from = face.to_right(w.x, w.y);
-      static_cast<Window&>(child) = {left ? 0 : face.on_right(w, w.begin), face.on_right(w, w.end),
-                                     from.x, from.y, w.sigma};
-      land(Mesh::next(h), child);
-    }
+    for_each_child(h, face, w, sight, [&](Index side, const Window& child) {
+      land(side, {child, kNone, is_straight});
+    });
   }
 
   const Mesh& mesh_;

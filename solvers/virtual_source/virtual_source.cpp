@@ -98,10 +98,9 @@ class VirtualSource final : public Solver {
 
   /// Adds a window on the edge of h for the face beyond it, unless it is too far away or no shorter
   /// than a path along the edge. The window is in the frame of the twin of h.
-  void land(Index h, Window w) {
+  void land(Index h, const Window& w) {
     const HalfEdge& edge = mesh().half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
-    w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
     if (least_distance(w) - w.sigma > kStraightRadius * mesh().mean_edge_length()) return;
     const EndpointBounds ends(edge.length, distances_[mesh().head(h)], distances_[edge.origin]);
     if (!ends.beat(w)) windows_.push_back({edge.twin, w});
@@ -113,16 +112,7 @@ class VirtualSource final : public Solver {
     if (sight.reaches()) {
       reach(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), wave);
     }
-    if (sight.left()) {
-      const double end = sight.right() ? face.left : face.on_left(w, w.end);
-      const Point2 from = face.to_left(w.x, w.y);
-      land(Mesh::previous(h), {face.on_left(w, w.begin), end, from.x, from.y, w.sigma});
-    }
-    if (sight.right()) {
-      const double begin = sight.left() ? 0 : face.on_right(w, w.begin);
-      const Point2 from = face.to_right(w.x, w.y);
-      land(Mesh::next(h), {begin, face.on_right(w, w.end), from.x, from.y, w.sigma});
-    }
+    for_each_child(h, face, w, sight, [&](Index side, const Window& child) { land(side, child); });
   }
 
   /// Follows the edges of v, and crosses those whose other end is no farther.

@@ -8,7 +8,6 @@
 // - A line longer than another path to the same point is dropped.
 // Here windows are processed first in, first out, and only paths over the ends of their edge may
 // beat them: correct, short and slow.
-#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -107,11 +106,10 @@ class Unfolding final : public Solver {
 
   /// Adds a window on the edge of h for the face beyond it, if there is one. The window is in the
   /// frame of the twin of h.
-  void land(Index h, Index root, Index faces, Window w) {
+  void land(Index h, Index root, Index faces, const Window& w) {
     const HalfEdge& edge = mesh().half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
     if (is_strip_too_long(mesh(), faces + 1)) return;
-    w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
     windows_.push_back({edge.twin, root, faces, w});
   }
 
@@ -125,7 +123,8 @@ class Unfolding final : public Solver {
 
   /// Unfolds a window over its face: to the apex, and on to the edges left and right of it.
   void cross_face(const Waiting& waiting) {
-    const auto& [h, root, faces, w] = waiting;
+    const Index h = waiting.half_edge, root = waiting.root;
+    const Window& w = waiting.window;
     if (paths_) paths_->crossing(h, w, root);
     const FaceFrame face = face_frame(mesh(), h);
     const Point2 apex = {face.apex_x, face.apex_y};
@@ -133,18 +132,9 @@ class Unfolding final : public Solver {
     if (sight.reaches()) {
       reach(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
     }
-    if (sight.left()) {
-      const double end = sight.right() ? face.left : face.on_left(w, w.end);
-      const Point2 from = face.to_left(w.x, w.y);
-      land(Mesh::previous(h), root, faces + 1,
-           {face.on_left(w, w.begin), end, from.x, from.y, w.sigma});
-    }
-    if (sight.right()) {
-      const double begin = sight.left() ? 0 : face.on_right(w, w.begin);
-      const Point2 from = face.to_right(w.x, w.y);
-      land(Mesh::next(h), root, faces + 1,
-           {begin, face.on_right(w, w.end), from.x, from.y, w.sigma});
-    }
+    for_each_child(h, face, w, sight, [&](Index side, const Window& child) {
+      land(side, root, waiting.faces + 1, child);
+    });
   }
 
   WindowBudget budget_;
