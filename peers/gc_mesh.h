@@ -50,12 +50,11 @@ class GcMesh {
     return all;
   }
 
-  /// Returns the sources of a query that have faces.
-  std::vector<geometrycentral::surface::Vertex> sources(const InternalQuery& query) const {
+  /// Returns the sources that have faces.
+  std::vector<geometrycentral::surface::Vertex> sources(const Start& start) const {
     std::vector<geometrycentral::surface::Vertex> all;
-    for (const InternalSource& source : query.sources)
-      if (numbers_[source.at.vertex] != kNone)
-        all.push_back(mesh_->vertex(numbers_[source.at.vertex]));
+    for (const StartVertex& each : start.vertices)
+      if (numbers_[each.vertex] != kNone) all.push_back(mesh_->vertex(numbers_[each.vertex]));
     return all;
   }
 
@@ -68,12 +67,12 @@ class GcMesh {
   }
 
   /// Writes the distances that geometry-central found. Distances of 1e100 or more are unreachable.
-  void answer(const InternalQuery& query, const geometrycentral::surface::VertexData<double>& found,
+  void answer(const Start& start, const geometrycentral::surface::VertexData<double>& found,
               std::span<double> distances) const {
     peer::answer(distances, 1e100,
                  [&](Index v) { return numbers_[v] == kNone ? kInfinity : found[numbers_[v]]; });
-    for (const InternalSource& source : query.sources)
-      if (numbers_[source.at.vertex] == kNone) distances[source.at.vertex] = 0;
+    for (const StartVertex& each : start.vertices)
+      if (numbers_[each.vertex] == kNone) distances[each.vertex] = 0;
   }
 
  private:

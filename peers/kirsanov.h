@@ -24,11 +24,11 @@ inline Description kirsanov(const std::string& name, const std::string& known) {
 /// Records the counters of the code: intervals taken from its queue, and its largest size.
 /// @param algorithm object with the members m_iterations and m_queue_max_size
 template <class Interval, class Algorithm>
-void count(const Algorithm& algorithm, Recording* recording) {
+void count(const Algorithm& algorithm, Recording& recording) {
   if (!counts(recording)) return;
-  recording->window_propagations = algorithm.m_iterations;
-  recording->peak_wavefront = algorithm.m_queue_max_size;
-  recording->window_bytes = sizeof(Interval);
+  recording.window_propagations = algorithm.m_iterations;
+  recording.peak_wavefront = algorithm.m_queue_max_size;
+  recording.window_bytes = sizeof(Interval);
 }
 
 }  // namespace geodesic::peer

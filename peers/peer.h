@@ -22,9 +22,9 @@ inline std::string remarks(const std::string& known) {
   return known + "; compiled with " + built_with();
 }
 
-/// Whether a solve must record the counters of the authors' code.
-inline bool counts(const Recording* recording) {
-  return recording != nullptr && recording->kind != RecordingKind::phase_times;
+/// Whether a recording takes the counters of the authors' code.
+inline bool counts(const Recording& recording) {
+  return recording.kind != RecordingKind::phase_times;
 }
 
 /// Returns x, y, z of every vertex.

@@ -14,16 +14,15 @@ class MySolver final : public Solver {
       : Solver(mesh, description), front_(mesh.vertex_count()) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     const auto reach = [&](Index v, double d) {
       if (d < distances[v]) {
         distances[v] = d;
         front_.push_or_decrease(v, d);
       }
     };
-    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
-    while (!front_.empty() && front_.least_key() <= query.limit) {
+    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {
         const Index opposite = Mesh::next(h), into = Mesh::previous(h);

@@ -59,22 +59,21 @@ ExternalSolver::ExternalSolver(const Mesh& mesh, const Description& description,
   }
 }
 
-void ExternalSolver::run(const InternalQuery& query, std::span<double> distances,
-                         Recording* /*recording*/) {
+void ExternalSolver::run(const Start& start, std::span<double> distances) {
   const MeshNumbers& numbers = mesh().numbers();
   std::string sources;
-  for (const InternalSource& source : query.sources) {
+  for (const StartVertex& each : start.vertices) {
     if (!sources.empty()) sources += ',';
-    sources += std::to_string(numbers.external_vertex(source.at.vertex));
+    sources += std::to_string(numbers.external_vertex(each.vertex));
   }
   for (const auto& [word, file] : kDistances) fs::remove(folder_ / file);
-  const Process process = start(sources);
+  const Process process = start_program(sources);
   const std::vector<double> written = read_distances();
   for (Index v = 0; v < distances.size(); ++v) distances[v] = written[numbers.external_vertex(v)];
   note_times(process);
 }
 
-ExternalSolver::Process ExternalSolver::start(const std::string& sources) const {
+ExternalSolver::Process ExternalSolver::start_program(const std::string& sources) const {
   std::string command = program_.command;
   for (const auto& [word, file] : kMeshes) replace_all(command, word, quoted(folder_ / file));
   for (const auto& [word, file] : kDistances) replace_all(command, word, quoted(folder_ / file));
@@ -149,7 +148,7 @@ std::optional<ExternalSolver::Process> ExternalSolver::reading() const {
   std::optional<Process> fastest;
   for (int i = 0; i < kReadings; ++i) {
     try {
-      const Process process = start("");
+      const Process process = start_program("");
       if (!fastest || process.cpu < fastest->cpu) fastest = process;
     } catch (const HarnessError&) {
       return std::nullopt;

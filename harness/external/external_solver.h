@@ -34,8 +34,8 @@ class ExternalSolver final : public Solver {
     std::int64_t peak_bytes;
   };
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override;
-  Process start(const std::string& sources) const;
+  void run(const Start& start, std::span<double> distances) override;
+  Process start_program(const std::string& sources) const;
   std::vector<double> read_distances() const;
   void note_times(const Process& process);
   /// Times of a process without sources, which reads the mesh and ends; empty if it fails.

@@ -40,15 +40,14 @@ class CgalHeat final : public Solver {
  private:
   using Vertex = Surface::Vertex_index;
 
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
-    direct_ ? run_by(*direct_, query, distances) : run_by(*delaunay_, query, distances);
+  void run(const Start& start, std::span<double> distances) override {
+    direct_ ? run_by(*direct_, start, distances) : run_by(*delaunay_, start, distances);
   }
 
   template <class Heat>
-  void run_by(Heat& heat, const InternalQuery& query, std::span<double> distances) {
+  void run_by(Heat& heat, const Start& start, std::span<double> distances) {
     heat.clear_sources();
-    for (const InternalSource& source : query.sources) heat.add_source(Vertex(source.at.vertex));
+    for (const StartVertex& each : start.vertices) heat.add_source(Vertex(each.vertex));
     auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
     heat.estimate_geodesic_distances(found);
     // CGAL initializes distances with the largest number, which unreached vertices keep.

@@ -29,14 +29,18 @@ class DggVtp final : public Solver {
 
  private:
   // The authors' code clears its mesh, so this class does not.
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    algorithm_->propagate(query.sources.front().at.vertex);
+  void run(const Start& start, std::span<double> distances) override {
+    algorithm_->propagate(start.vertices.front().vertex);
     peer::answer(distances, dgg_authors::GEODESIC_INF,
                  [&](Index v) { return mesh_.vertices()[v].geodesic_distance(); });
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
     if (peer::counts(recording)) {
-      recording->window_propagations = dgg_authors::m_windows_propagation;
-      recording->peak_wavefront = dgg_authors::m_windows_peak;
-      recording->window_bytes = sizeof(dgg_authors::Interval);
+      recording.window_propagations = dgg_authors::m_windows_propagation;
+      recording.peak_wavefront = dgg_authors::m_windows_peak;
+      recording.window_bytes = sizeof(dgg_authors::Interval);
     }
   }
 

@@ -53,11 +53,9 @@ class AuthorsGraph : public Solver {
   }
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     std::vector<int> sources;
-    for (const InternalSource& source : query.sources)
-      sources.push_back(static_cast<int>(source.at.vertex));
+    for (const StartVertex& each : start.vertices) sources.push_back(static_cast<int>(each.vertex));
     graph_.findShortestDistance(sources);
     const std::vector<float>& found = *graph_.distanceField();
     peer::answer(distances, std::numeric_limits<float>::max(), [&](Index v) { return found[v]; });

@@ -26,15 +26,21 @@ class GcExact final : public Solver {
         algorithm_(surface_.mesh(), surface_.geometry) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    const std::vector<authors::Vertex> sources = surface_.sources(query);
+  void run(const Start& start, std::span<double> distances) override {
+    const std::vector<authors::Vertex> sources = surface_.sources(start);
     authors::VertexData<double> found(surface_.mesh(), authors::GEODESIC_INF);
     if (!sources.empty()) {
-      algorithm_.propagate(sources, authors::GEODESIC_INF, surface_.stops(query));
+      algorithm_.propagate(sources, authors::GEODESIC_INF, surface_.stops(start.query));
       found = algorithm_.getDistanceFunction();
+    }
+    surface_.answer(start, found, distances);
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
+    if (!surface_.sources(start).empty()) {
       peer::count<authors::Interval>(algorithm_, recording);
     }
-    surface_.answer(query, found, distances);
   }
 
   std::vector<InternalPoint> trace_path(const InternalQuery& /*query*/,

@@ -31,16 +31,15 @@ class GcFlip final : public Solver {
 
  private:
   // Distances along edges, because geometry-central has no distances of shortened paths.
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     authors::VertexData<double> found(surface_.mesh(), kInfinity);
-    for (const authors::Vertex source : surface_.sources(query)) {
+    for (const authors::Vertex source : surface_.sources(start)) {
       for (const auto& [vertex, distance] :
            authors::vertexDijkstraDistanceWithinRadius(surface_.geometry, source, kInfinity)) {
         found[vertex] = std::min(found[vertex], distance);
       }
     }
-    surface_.answer(query, found, distances);
+    surface_.answer(start, found, distances);
   }
 
   std::vector<InternalPoint> trace_path(const InternalQuery& query,

@@ -19,12 +19,11 @@ class GcHeat final : public Solver {
         heat_(surface_.geometry, description.real("time"), delaunay_) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
-    const std::vector<authors::Vertex> sources = surface_.sources(query);
+  void run(const Start& start, std::span<double> distances) override {
+    const std::vector<authors::Vertex> sources = surface_.sources(start);
     authors::VertexData<double> found(surface_.mesh(), kInfinity);
     if (!sources.empty()) found = heat_.computeDistance(sources);
-    surface_.answer(query, found, distances);
+    surface_.answer(start, found, distances);
   }
 
   bool delaunay_;

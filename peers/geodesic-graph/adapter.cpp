@@ -24,14 +24,13 @@ class GeodesicGraph final : public Solver {
   }
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     std::vector<float> found(distances.size(), yocto::flt_max);
     std::vector<int> sources;
-    for (const InternalSource& source : query.sources) {
-      float& initial = found[source.at.vertex];
-      initial = std::min(initial, static_cast<float>(source.distance));
-      sources.push_back(static_cast<int>(source.at.vertex));
+    for (const StartVertex& each : start.vertices) {
+      float& initial = found[each.vertex];
+      initial = std::min(initial, static_cast<float>(each.distance));
+      sources.push_back(static_cast<int>(each.vertex));
     }
     yocto::update_geodesic_distances(found, graph_, sources);
     peer::answer(distances, yocto::flt_max, [&](Index v) { return found[v]; });

@@ -24,10 +24,11 @@ class LibiglExact final : public Solver {
   }
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
     std::vector<authors::SurfacePoint> sources;
-    for (const InternalSource& source : query.sources)
-      sources.emplace_back(&mesh_.vertices()[source.at.vertex]);
+    for (const StartVertex& each : start.vertices)
+      sources.emplace_back(&mesh_.vertices()[each.vertex]);
+    const InternalQuery& query = start.query;
     std::vector<authors::SurfacePoint> stops;
     for (const InternalPoint& target : query.targets)
       if (query.stop_at_targets && target.is_vertex())
@@ -40,6 +41,10 @@ class LibiglExact final : public Solver {
       algorithm_->best_source(point, d);
       return d;
     });
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
     peer::count<authors::Interval>(*algorithm_, recording);
   }
 

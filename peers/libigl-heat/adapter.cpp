@@ -26,11 +26,10 @@ class LibiglHeat final : public Solver {
   }
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
-    Eigen::VectorXi sources(query.sources.size());
+  void run(const Start& start, std::span<double> distances) override {
+    Eigen::VectorXi sources(start.vertices.size());
     for (int i = 0; i < sources.size(); ++i)
-      sources(i) = static_cast<int>(query.sources[i].at.vertex);
+      sources(i) = static_cast<int>(start.vertices[i].vertex);
     Eigen::VectorXd found;
     igl::heat_geodesics_solve(data_, sources, found);
     std::copy(found.begin(), found.end(), distances.begin());

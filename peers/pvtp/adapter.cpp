@@ -44,6 +44,13 @@ void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const
   algorithm.step = 1;
 }
 
+// Records the counters of the last solve, which the authors' code keeps in global variables.
+void count(Recording& recording) {
+  if (!peer::counts(recording)) return;
+  recording.window_propagations = pvtp_authors::m_windows_propagation.load();
+  recording.window_bytes = sizeof(pvtp_authors::Interval);
+}
+
 // The authors' mesh. Their algorithms clear its distances, so this class does not.
 class AuthorsMesh {
  public:
@@ -55,13 +62,9 @@ class AuthorsMesh {
 
   pvtp_authors::Mesh* get() { return &mesh_; }
 
-  void answer(std::span<double> distances, Recording* recording) {
+  void answer(std::span<double> distances) {
     peer::answer(distances, pvtp_authors::GEODESIC_INF,
                  [&](Index v) { return mesh_.vertices()[v].geodesic_distance(); });
-    if (peer::counts(recording)) {
-      recording->window_propagations = pvtp_authors::m_windows_propagation.load();
-      recording->window_bytes = sizeof(pvtp_authors::Interval);
-    }
   }
 
  private:
@@ -79,10 +82,15 @@ class Pvtp final : public Solver {
   }
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threads_);
-    algorithm_.propagate(query.sources.front().at.vertex);
-    mesh_.answer(distances, recording);
+    algorithm_.propagate(start.vertices.front().vertex);
+    mesh_.answer(distances);
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
+    count(recording);
   }
 
   Index threads_;
@@ -105,9 +113,14 @@ class Avtp final : public Solver {
     algorithm_.emplace(authors_->get(), lambda_);
   }
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    algorithm_->propagate(query.sources.front().at.vertex);
-    authors_->answer(distances, recording);
+  void run(const Start& start, std::span<double> distances) override {
+    algorithm_->propagate(start.vertices.front().vertex);
+    authors_->answer(distances);
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
+    count(recording);
   }
 
   double lambda_;

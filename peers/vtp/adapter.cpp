@@ -29,14 +29,18 @@ class Vtp final : public Solver {
     algorithm_.emplace(&*mesh_);
   }
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    algorithm_->propagate(query.sources.front().at.vertex);
+  void run(const Start& start, std::span<double> distances) override {
+    algorithm_->propagate(start.vertices.front().vertex);
     peer::answer(distances, vtp_authors::GEODESIC_INF,
                  [&](Index v) { return mesh_->vertices()[v].geodesic_distance(); });
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
     if (peer::counts(recording)) {
-      recording->window_propagations = vtp_authors::m_windows_propagation;
-      recording->peak_wavefront = vtp_authors::m_windows_peak;
-      recording->window_bytes = sizeof(vtp_authors::Interval);
+      recording.window_propagations = vtp_authors::m_windows_propagation;
+      recording.peak_wavefront = vtp_authors::m_windows_peak;
+      recording.window_bytes = sizeof(vtp_authors::Interval);
     }
   }
 

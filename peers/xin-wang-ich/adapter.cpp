@@ -26,20 +26,23 @@ class XinWangIch final : public Solver {
 
  private:
   // A separate object keeps the state of a solve and traces paths; the model is constant.
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
     std::set<int> sources;
-    for (const InternalSource& source : query.sources)
-      sources.insert(static_cast<int>(source.at.vertex));
+    for (const StartVertex& each : start.vertices) sources.insert(static_cast<int>(each.vertex));
     CICHWithFurtherPriorityQueue& algorithm = algorithm_.emplace(model_, sources);
     propagated_windows = 0;
     algorithm.Execute();
     peer::answer(distances, DBL_MAX,
                  [&](Index v) { return algorithm.m_InfoAtVertices[v].disUptodate; });
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    run(start, distances);
     if (peer::counts(recording)) {
-      recording->window_propagations = propagated_windows;
-      recording->windows_created = algorithm.GetWindowNum();
-      recording->peak_wavefront = algorithm.GetMaxLenOfQue();
-      recording->window_bytes = sizeof(::Window);
+      recording.window_propagations = propagated_windows;
+      recording.windows_created = algorithm_->GetWindowNum();
+      recording.peak_wavefront = algorithm_->GetMaxLenOfQue();
+      recording.window_bytes = sizeof(::Window);
     }
   }
 

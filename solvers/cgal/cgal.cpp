@@ -92,9 +92,8 @@ class Cgal final : public Solver {
 
   // Solves one source after the other: with several at once, CGAL 5.5 can follow a path beyond a
   // boundary edge, which its own assertions forbid.
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
-    for (const InternalSource& source : query.sources) {
+  void run(const Start& start, std::span<double> distances) override {
+    for (const InternalSource& source : start.query.sources) {
       if (source.at.is_vertex()) {
         distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
       }

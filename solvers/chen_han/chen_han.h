@@ -40,18 +40,21 @@ class ChenHan final : public Solver {
 
  private:
   /// A recorded solve; defined in recorded.h, like the next function.
-  static void solve_recorded(const Mesh& mesh, const InternalQuery& query,
-                             std::span<double> distances, Recording& recording);
+  static void solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
+                             Recording& recording);
   /// A timed solve with windows that store the length of their strip.
-  static void solve_dropping_long_strips(const Mesh& mesh, const InternalQuery& query,
+  static void solve_dropping_long_strips(const Mesh& mesh, const Start& start,
                                          std::span<double> distances);
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    if (recording != nullptr) return solve_recorded(mesh(), query, distances, *recording);
+  void run(const Start& start, std::span<double> distances) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
-      if (drops_long_strips) return solve_dropping_long_strips(mesh(), query, distances);
-      propagation_.run(query, distances);
+      if (drops_long_strips) return solve_dropping_long_strips(mesh(), start, distances);
+      propagation_.run(start, distances);
     });
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    solve_recorded(mesh(), start, distances, recording);
   }
 
   Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder> propagation_;

@@ -3,17 +3,15 @@
 
 namespace geodesic::chen_han {
 
-template void ChenHan<Ch>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
-                                          Recording&);
-template void ChenHan<Ch>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
-                                                      std::span<double>);
-template void ChenHan<Ich>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
+template void ChenHan<Ch>::solve_recorded(const Mesh&, const Start&, std::span<double>, Recording&);
+template void ChenHan<Ch>::solve_dropping_long_strips(const Mesh&, const Start&, std::span<double>);
+template void ChenHan<Ich>::solve_recorded(const Mesh&, const Start&, std::span<double>,
                                            Recording&);
-template void ChenHan<Ich>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
+template void ChenHan<Ich>::solve_dropping_long_strips(const Mesh&, const Start&,
                                                        std::span<double>);
-template void ChenHan<FwpCh>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
+template void ChenHan<FwpCh>::solve_recorded(const Mesh&, const Start&, std::span<double>,
                                              Recording&);
-template void ChenHan<FwpCh>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
+template void ChenHan<FwpCh>::solve_dropping_long_strips(const Mesh&, const Start&,
                                                          std::span<double>);
 
 }  // namespace geodesic::chen_han

@@ -71,12 +71,22 @@ class Propagation {
         corners_(mesh.half_edge_count()),
         unreliable_(find_unreliable_vertices(mesh)) {}
 
-  void run(const InternalQuery& query, std::span<double> distances) {
+  void run(const Start& start, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
-    start(query, distances);
-    do {
+    begin(start, distances);
+    std::span<const StartWindow> windows = start.windows;
+    if constexpr (!kOneByOne) begin_across(windows);
+    propagate_all();
+    while (kOneByOne && !windows.empty()) {
+      const Index root = windows.front().root;
+      const auto next =
+          std::ranges::find_if(windows, [&](const StartWindow& each) { return each.root != root; });
+      corners_.clear();
+      budget_.start();
+      begin_across({windows.begin(), next});
       propagate_all();
-    } while (kOneByOne && spread_next(query));
+      windows = {next, windows.end()};
+    }
     if (distances_.size() > distances.size()) {
       std::copy_n(distances_.begin(), distances.size(), distances.begin());
     }
@@ -120,29 +130,28 @@ class Propagation {
     queue_.push(key, pool_.add(w));
   }
 
-  void start(const InternalQuery& query, std::span<double> distances) {
+  void begin(const Start& start, std::span<double> distances) {
     distances_ = distances;
-    if (!std::ranges::all_of(query.sources, is_at_vertex)) make_room_for_roots(query);
-    limit_ = query.limit;
-    stops_ = query.stop_at_targets;
-    stop_rule_ = StopRule(mesh_, query, distances_);
+    if (!start.windows.empty()) make_room_for_roots(start.query);
+    limit_ = start.query.limit;
+    stops_ = start.query.stop_at_targets;
+    stop_rule_ = StopRule(mesh_, start.query, distances_);
     budget_.start();
     pool_.clear();
     queue_.clear();
     if (stops_) keep_sorted(queue_);
     pipeline_.clear();
     corners_.clear();
-    progress_.start(mesh_, query);
-    for (const InternalSource& source : query.sources) {
-      if (!is_at_vertex(source)) continue;
-      start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
-    }
-    next_source_ = 0;
-    while (!kOneByOne && spread_next(query)) {
+    progress_.start(mesh_, start);
+    for (const auto& [v, distance, always_emits, last] : start.vertices) {
+      if (always_emits) {
+        start_at(v, distance, last);
+      } else {
+        const Index h = last.half_edge;
+        reach_apex(h, face_frame(mesh_, h), distance, last.from, last);
+      }
     }
   }
-
-  static bool is_at_vertex(const InternalSource& source) { return source.at.is_vertex(); }
 
   /// Makes v send windows in all directions.
   void start_at(Index v, double distance, LastSegment last_segment) {
@@ -160,44 +169,18 @@ class Propagation {
     distances_ = with_roots_;
   }
 
-  /// Starts from the next source that is not a vertex. @return false when none is left
-  [[gnu::cold, gnu::noinline]] bool spread_next(const InternalQuery& query) {
-    const Index count = static_cast<Index>(query.sources.size());
-    while (next_source_ < count && is_at_vertex(query.sources[next_source_])) ++next_source_;
-    if (next_source_ == count) return false;
-    if constexpr (kOneByOne) {
-      corners_.clear();
-      budget_.start();
-    }
-    spread(query.sources[next_source_], mesh_.vertex_count() + next_source_);
-    ++next_source_;
-    return true;
-  }
-
-  /// Starts from a source that is not a vertex.
-  [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
-    const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
-        __attribute__((cold)) {
-      const FaceFrame face = face_frame(mesh_, h);
-      const double distance = source.distance + rest;
-      if (is_next) {
-        start_at(mesh_.apex(h), distance, {h, root, from});
-      } else {
-        reach_apex(h, face, distance, from, {h, root, from});
-      }
-    };
-    const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
-      const HalfEdge& e = mesh_.half_edge(h);
-      if (e.twin == kNone || !(e.length > 0)) return;
-      const Stored w{{0, e.length, from.x, from.y, source.distance}, e.twin, root, {}};
+  [[gnu::cold, gnu::noinline]] void begin_across(std::span<const StartWindow> windows) {
+    for (const auto& [side, window, root] : windows) {
+      const HalfEdge& e = mesh_.half_edge(side);
+      if (e.twin == kNone || !(e.length > 0)) continue;
+      const Stored w{window, e.twin, root, {}};
       // As least_distance: one more call of it would prevent the inlining of the frequent ones.
-      if (distance_at(w, nearest_position(w)) > limit_) return;
+      if (distance_at(w, nearest_position(w)) > limit_) continue;
       recorder_.created(1);
       recorder_.valid(1);
       budget_.spend(1);
       propagate(w);
-    };
-    spread_from(mesh_, source.at, reach_corner, cross_side);
+    }
   }
 
   /// True when no more distances can change. A queue without a least key simply runs empty: nothing
@@ -405,7 +388,7 @@ class Propagation {
   double limit_ = kInfinity;
   StopRule stop_rule_;
   bool stops_ = false;            // the query stops at targets
-  Index next_source_ = 0;         // index of the next source to start from
+                                  // index of the next source to start from
   PrefetchPipeline<3> pipeline_;  // slots in the stages of prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;

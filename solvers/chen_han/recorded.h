@@ -6,19 +6,19 @@
 namespace geodesic::chen_han {
 
 template <class Policy>
-void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
+void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const Start& start,
                                      std::span<double> distances, Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
+  solve_recording(mesh, start.query, distances, recording, [&](auto recorder) {
     using Recorder = decltype(recorder);
     recorder.window_bytes(sizeof(StoredWindow<NoDepth>));
-    Propagation<Policy, DepthOf<Policy, Recorder>, Recorder>(mesh, recorder).run(query, distances);
+    Propagation<Policy, DepthOf<Policy, Recorder>, Recorder>(mesh, recorder).run(start, distances);
   });
 }
 
 template <class Policy>
-void ChenHan<Policy>::solve_dropping_long_strips(const Mesh& mesh, const InternalQuery& query,
+void ChenHan<Policy>::solve_dropping_long_strips(const Mesh& mesh, const Start& start,
                                                  std::span<double> distances) {
-  Propagation<Policy, StripDepth, NoRecorder>(mesh).run(query, distances);
+  Propagation<Policy, StripDepth, NoRecorder>(mesh).run(start, distances);
 }
 
 }  // namespace geodesic::chen_han

@@ -11,7 +11,7 @@ namespace geodesic {
 /// Version of the interface that solvers are compiled against: all of solvers/core. A change that
 /// breaks compiled solvers raises it: a member or virtual function that is added, moved, removed or
 /// given another meaning. Plug-ins of other versions are refused.
-inline constexpr int kContract = 10;
+inline constexpr int kContract = 11;
 
 /// The contract that this file is compiled against: "contract 2 (C++ ABI 1017/1, sizes 32 280
 /// ...)".

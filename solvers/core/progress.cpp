@@ -6,7 +6,7 @@ namespace geodesic {
 namespace {
 
 // Counts the vertices that a path along edges joins to a source, including the sources.
-std::uint64_t count_reachable(const Mesh& mesh, const InternalQuery& query) {
+std::uint64_t count_reachable(const Mesh& mesh, const Start& start) {
   std::vector<bool> seen(mesh.vertex_count());
   std::vector<Index> open;
   std::uint64_t count = 0;
@@ -16,7 +16,7 @@ std::uint64_t count_reachable(const Mesh& mesh, const InternalQuery& query) {
     open.push_back(v);
     ++count;
   };
-  for (const Index v : source_vertices(mesh, query)) see(v);
+  for (const StartVertex& each : start.vertices) see(each.vertex);
   while (!open.empty()) {
     const Index v = open.back();
     open.pop_back();
@@ -30,9 +30,9 @@ std::uint64_t count_reachable(const Mesh& mesh, const InternalQuery& query) {
 
 }  // namespace
 
-void Progress::start(const Mesh& mesh, const InternalQuery& query) {
+void Progress::start(const Mesh& mesh, const Start& start) {
   reached_ = 0;
-  reachable_ = count_reachable(mesh, query);
+  reachable_ = count_reachable(mesh, start);
   next_step_ = 1;
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "solvers/core/query.h"
+#include "solvers/core/start.h"
 
 namespace geodesic {
 
@@ -14,7 +14,7 @@ class Progress {
   static constexpr std::uint64_t kSteps = 64;  // number of equally spaced samples
 
   /// Starts a solve: no vertex is reached, not even a source.
-  void start(const Mesh& mesh, const InternalQuery& query);
+  void start(const Mesh& mesh, const Start& start);
 
   /// Call when a vertex gets a new distance. @param former its distance before
   void reach(double former) { reached_ += former == kInfinity ? 1u : 0u; }

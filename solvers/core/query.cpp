@@ -15,14 +15,6 @@ InternalQuery in_internal_numbers(const Mesh& mesh, const Query& query) {
   return own;
 }
 
-std::vector<Index> source_vertices(const Mesh& mesh, const InternalQuery& query) {
-  std::vector<Index> vertices;
-  for (const InternalSource& source : query.sources) {
-    vertices.push_back(source.at.is_vertex() ? source.at.vertex : mesh.origin(3 * source.at.face));
-  }
-  return vertices;
-}
-
 StopRule::StopRule(const Mesh& mesh, const InternalQuery& query, std::span<const double> distances)
     : limit_(query.limit), stops_(query.stop_at_targets), distances_(distances) {
   if (!stops_) return;

@@ -36,9 +36,6 @@ using InternalQuery = QueryIn<Numbers::internal>;
 /// @param query its points have no defects
 InternalQuery in_internal_numbers(const Mesh& mesh, const Query& query);
 
-/// For each source, a vertex of its component: the source itself, or a corner of its face.
-std::vector<Index> source_vertices(const Mesh& mesh, const InternalQuery& query);
-
 /// Decides when the vertices that a query needs have their final distances.
 ///
 /// A point of a face is at most as far as the way over one of its corners. Once no waiting window

@@ -59,6 +59,7 @@ struct NoDepth {
 /// As LastSegment.
 struct NoLastSegment {
   constexpr NoLastSegment(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
+  constexpr NoLastSegment(const LastSegment& /*segment*/) {}  // NOLINT: as a segment
 };
 
 /// As a number of windows.
@@ -72,7 +73,7 @@ struct NoCount {
 
 /// As Progress.
 struct NoProgress {
-  constexpr void start(const Mesh& /*mesh*/, const InternalQuery& /*query*/) {}
+  constexpr void start(const Mesh& /*mesh*/, const Start& /*start*/) {}
   constexpr void reach(double /*former*/) {}
   constexpr bool made_step() const { return false; }
 };

@@ -105,19 +105,23 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   if (recording != nullptr) forget_results(*recording);
   renew();
   used_ = true;
-  const InternalQuery own = in_internal_numbers(mesh_, query);
-  if (mesh_.numbers().is_identity()) return run_to_end(own, distances, recording);
+  const Start start(mesh_, in_internal_numbers(mesh_, query));
+  if (mesh_.numbers().is_identity()) return run_to_end(start, distances, recording);
   in_mesh_order_.resize(distances.size());
-  run_to_end(own, in_mesh_order_, recording);
+  run_to_end(start, in_mesh_order_, recording);
   for (Index v = 0; v < distances.size(); ++v) {
     distances[mesh_.numbers().external_vertex(v)] = in_mesh_order_[v];
   }
 }
 
-void Solver::run_to_end(const InternalQuery& query, std::span<double> distances,
-                        Recording* recording) {
+void Solver::run_to_end(const Start& start, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
-  run(query, distances, recording);
+  if (recording == nullptr) {
+    run(start, distances);
+  } else {
+    record(start, distances, *recording);
+  }
+  const InternalQuery& query = start.query;
   double farthest = StopRule(mesh_, query, distances).farthest();
   if (query.stop_at_targets && recording != nullptr && recording->kind == RecordingKind::paths) {
     double last = 0;

@@ -19,8 +19,8 @@
 #include "solvers/core/mesh.h"
 #include "solvers/core/parameters.h"
 #include "solvers/core/path.h"
-#include "solvers/core/query.h"
 #include "solvers/core/recording.h"
+#include "solvers/core/start.h"
 
 namespace geodesic {
 
@@ -94,7 +94,8 @@ struct Certificate {
   double mean_error = 0, largest_error = 0;
 };
 
-/// Computes distances on one mesh. A solver family derives from it and implements `run`.
+/// Computes distances on one mesh. A solver family derives from it and implements `run`,
+/// and `record` if it records anything.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -150,11 +151,16 @@ class Solver {
   Solver(const Mesh& mesh, const Description& description);
 
  private:
-  /// As `solve`, in the mesh's internal numbers. The query is already checked, and `distances`
+  /// A timed solve, in the mesh's internal numbers. The query is already checked, and `distances`
   /// filled with +infinity. Distances above the limit or the farthest target's may remain; they are
   /// cleared afterwards. A solver that does not stop there (StopRule) only takes longer.
-  virtual void run(const InternalQuery& query, std::span<double> distances,
-                   Recording* recording) = 0;
+  virtual void run(const Start& start, std::span<double> distances) = 0;
+
+  /// The same with a recording, of a kind that the description does not exclude. A solver that
+  /// counts nothing leaves it empty.
+  virtual void record(const Start& start, std::span<double> distances, Recording& /*recording*/) {
+    run(start, distances);
+  }
 
   /// As `trace`: returns the points of the path, from a source on, in the mesh's internal numbers.
   /// A straight line joins each point with the next one.
@@ -165,8 +171,8 @@ class Solver {
   /// Discards the state of the last query, which some public codes keep in their mesh.
   virtual void renew_state() {}
 
-  /// Calls `run` with fresh distances, and clears those beyond the limit.
-  void run_to_end(const InternalQuery& query, std::span<double> distances, Recording* recording);
+  /// Calls `run` or `record` with fresh distances, and clears those beyond the limit.
+  void run_to_end(const Start& start, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;
   const Description& description_;

@@ -19,16 +19,15 @@ Dijkstra::Dijkstra(const Mesh& mesh, const Description& description)
     : Solver(mesh, description),
       front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()) {}
 
-void Dijkstra::run(const InternalQuery& query, std::span<double> distances,
-                   Recording* /*recording*/) {
+void Dijkstra::run(const Start& start, std::span<double> distances) {
   const auto reach = [&](Index v, double d) {
     if (d < distances[v]) {
       distances[v] = d;
       front_.push_or_decrease(v, d);
     }
   };
-  for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
-  StopRule stop_rule(mesh(), query, distances);
+  for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+  StopRule stop_rule(mesh(), start.query, distances);
   while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
     const Index v = front_.pop();
     const double d = distances[v];

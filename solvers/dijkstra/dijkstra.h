@@ -23,7 +23,7 @@ class Dijkstra : public Solver {
                                         std::span<const double> distances, Index vertex) override;
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override;
+  void run(const Start& start, std::span<double> distances) override;
 
   VertexCalendar front_;
 };

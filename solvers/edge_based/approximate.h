@@ -43,15 +43,13 @@ class Approximate final : public Solver {
                              recorder);
   }
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    if (exact_ != nullptr) return exact_->run(query, distances, recording);
-    if (recording == nullptr) return timed_->run(query, distances);
-    solve_recorded(query, distances, *recording);
+  void run(const Start& start, std::span<double> distances) override {
+    if (exact_ != nullptr) return exact_->run(start, distances);
+    timed_->run(start, distances);
   }
 
-  /// A recorded solve, compiled separately (core/recorders.h).
-  void solve_recorded(const InternalQuery& query, std::span<double> distances,
-                      Recording& recording) const;
+  /// Compiled apart from timed solves (core/recorders.h).
+  void record(const Start& start, std::span<double> distances, Recording& recording) override;
 
   double tolerance_;
   std::unique_ptr<EdgeBased<ByDistance>> exact_;

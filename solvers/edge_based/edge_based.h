@@ -12,16 +12,21 @@
 
 namespace geodesic::edge_based {
 
-/// Least distance first, up to a sixteenth of the mean edge length.
+/// The policy of `edge-based`: least distance first, up to a sixteenth of the mean edge length;
+/// whole lists of windows cross a face.
 struct ByDistance {
+  using Crossing = ListCrossing;
   using Queue = VertexCalendar;
   static Queue make_queue(const Mesh& mesh) {
     return Queue(mesh.vertex_count(), mesh.mean_edge_length() / 16);
   }
 };
 
-/// @tparam Order order in which vertices leave the queue, as ByDistance
-template <class Order>
+/// A policy has
+///   Queue              of vertices, in the order in which the wavefront passes them (VertexQueue)
+///   make_queue(mesh)   an empty one
+///   Crossing           what crosses a face (wavefront.h), made as ListCrossing(mesh, set, carried)
+template <class Policy>
 class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
@@ -38,25 +43,31 @@ class EdgeBased final : public Solver {
 
   InstructionSet instruction_set() const override { return instruction_set_; }
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
-      const Carried carried = carried_by(recording, drops_long_strips);
+      const InternalQuery& query = start.query;
       const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
-      if (recording != nullptr) {
-        solve_recorded(mesh(), instruction_set_, carried, query, distances, *recording);
-      } else if (carried != Carried::nothing) {
-        make_wavefront(mesh(), instruction_set_, carried, NoRecorder()).run(query, distances);
+      if (drops_long_strips) {
+        make_wavefront(mesh(), instruction_set_, Carried::depth, NoRecorder())
+            .run(start, distances);
       } else if (regional_ != nullptr && !ends_early) {
-        regional_->run(query, distances);
+        regional_->run(start, distances);
       } else {
         if (serial_ == nullptr) serial_ = make_serial();
-        serial_->run(query, distances);
+        serial_->run(start, distances);
       }
     });
   }
 
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    solve_within_bound(distances, [&](bool drops_long_strips) {
+      solve_recorded(mesh(), instruction_set_, carried_by(recording.kind, drops_long_strips), start,
+                     distances, recording);
+    });
+  }
+
  private:
-  using Serial = Wavefront<ListCrossing, typename Order::Queue, NoRecorder>;
+  using Serial = Wavefront<typename Policy::Crossing, typename Policy::Queue, NoRecorder>;
 
   Index region_size(const Description& description) const {
     const Index asked = description.integer("region-size");
@@ -66,25 +77,23 @@ class EdgeBased final : public Solver {
   template <class Recorder>
   static auto make_wavefront(const Mesh& mesh, InstructionSet set, Carried carried,
                              const Recorder& recorder) {
-    return Wavefront<ListCrossing, typename Order::Queue, Recorder>(
-        mesh, Order::make_queue(mesh),
-        ListCrossing(mesh, set, carried, coordinate_rounding(mesh), WindowBudget(mesh)), recorder);
+    return Wavefront<typename Policy::Crossing, typename Policy::Queue, Recorder>(
+        mesh, Policy::make_queue(mesh), typename Policy::Crossing(mesh, set, carried), recorder);
   }
   std::unique_ptr<Serial> make_serial() const {
     return std::make_unique<Serial>(
         make_wavefront(mesh(), instruction_set_, Carried::nothing, NoRecorder()));
   }
 
-  static Carried carried_by(const Recording* recording, bool drops_long_strips) {
-    if (recording != nullptr && recording->kind == RecordingKind::paths) return Carried::root;
-    const bool counts = recording != nullptr && recording->kind != RecordingKind::phase_times;
-    return counts || drops_long_strips ? Carried::depth : Carried::nothing;
+  static Carried carried_by(RecordingKind kind, bool drops_long_strips) {
+    if (kind == RecordingKind::paths) return Carried::root;
+    return kind != RecordingKind::phase_times || drops_long_strips ? Carried::depth
+                                                                   : Carried::nothing;
   }
 
   /// A recorded solve; defined in recorded.h.
   static void solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                             const InternalQuery& query, std::span<double> distances,
-                             Recording& recording);
+                             const Start& start, std::span<double> distances, Recording& recording);
 
   InstructionSet instruction_set_;
   std::unique_ptr<Serial> serial_;

@@ -6,13 +6,12 @@
 namespace geodesic::edge_based {
 
 template void EdgeBased<ByDistance>::solve_recorded(const Mesh&, InstructionSet, Carried,
-                                                    const InternalQuery&, std::span<double>,
-                                                    Recording&);
+                                                    const Start&, std::span<double>, Recording&);
 
-void Approximate::solve_recorded(const InternalQuery& query, std::span<double> distances,
-                                 Recording& recording) const {
-  solve_recording(mesh(), query, distances, recording,
-                  [&](const auto& recorder) { make_wavefront(recorder).run(query, distances); });
+void Approximate::record(const Start& start, std::span<double> distances, Recording& recording) {
+  if (exact_ != nullptr) return exact_->record(start, distances, recording);
+  solve_recording(mesh(), start.query, distances, recording,
+                  [&](const auto& recorder) { make_wavefront(recorder).run(start, distances); });
 }
 
 }  // namespace geodesic::edge_based

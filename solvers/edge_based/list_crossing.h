@@ -18,7 +18,9 @@ namespace geodesic::edge_based {
 /// Implements a Crossing (wavefront.h).
 class ListCrossing {
  public:
-  /// @param rounding, budget of the mesh, or of the larger mesh of which it is a part
+  ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried)
+      : ListCrossing(mesh, set, carried, coordinate_rounding(mesh), WindowBudget(mesh)) {}
+  /// @param rounding, budget of the larger mesh of which this one is a part
   ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried, double rounding,
                const WindowBudget& budget)
       : mesh_(mesh),

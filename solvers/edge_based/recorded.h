@@ -5,12 +5,12 @@
 
 namespace geodesic::edge_based {
 
-template <class Order>
-void EdgeBased<Order>::solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                                      const InternalQuery& query, std::span<double> distances,
+template <class Policy>
+void EdgeBased<Policy>::solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
+                                      const Start& start, std::span<double> distances,
                                       Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](const auto& recorder) {
-    make_wavefront(mesh, set, carried, recorder).run(query, distances);
+  solve_recording(mesh, start.query, distances, recording, [&](const auto& recorder) {
+    make_wavefront(mesh, set, carried, recorder).run(start, distances);
   });
 }
 

@@ -28,7 +28,6 @@
 #include "solvers/core/queues/concepts.h"
 #include "solvers/core/recorders.h"
 #include "solvers/edge_based/entered_faces.h"
-#include "solvers/edge_based/sources_inside.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -50,23 +49,14 @@ class Wavefront {
         always_emits_(mesh.vertex_count()) {}
 
   /// As Solver::run.
-  void run(const InternalQuery& query, std::span<double> distances) {
+  void run(const Start& start, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
-    start(distances);
+    forget(distances);
     recorder_.window_bytes(sizeof(Window));
-    progress_.start(mesh_, query);
-    for (Index i = 0; i < query.sources.size(); ++i) {
-      const InternalSource& source = query.sources[i];
-      if (source.at.is_vertex()) {
-        begin_at(source.at.vertex, source.distance);
-      } else {
-        begin_inside(in_every_face(mesh_, source.at), source.distance, mesh_.vertex_count() + i,
-                     [&](const InternalPoint& in_face) {
-                       return Part{*this, in_face};
-                     });
-      }
-    }
-    StopRule stop_rule(mesh_, query, distances_);
+    progress_.start(mesh_, start);
+    for (const StartVertex& each : start.vertices) begin_at(each);
+    for (const StartWindow& each : start.windows) begin_across(each);
+    StopRule stop_rule(mesh_, start.query, distances_);
     while (!queue_.empty() && !stop_rule.is_over(queue_.least_key())) {
       advance();
       if (progress_.made_step()) sample();
@@ -79,7 +69,7 @@ class Wavefront {
 
   /// Discards the last solve, however it ended.
   /// @param distances infinite; the wavefront fills them
-  void start(std::span<double> distances) {
+  void forget(std::span<double> distances) {
     distances_ = distances;
     faces_.clear();
     always_emits_.assign(always_emits_.size(), false);
@@ -87,19 +77,20 @@ class Wavefront {
     crossing_.start(distances);
   }
 
-  /// Starts from a vertex.
-  void begin_at(Index v, double distance) {
-    reach_first(v, distance, {kNone, v, {0, 0}});
-    always_emits_[v] = true;
-  }
-
-  /// Records a path to v, if it is shorter than all before. Out of line, so that `reach` is inlined
-  /// into the loop.
-  [[gnu::cold, gnu::noinline]] void reach_first(Index v, double distance,
-                                                const LastSegmentOf<Recorder>& last_segment) {
+  /// Starts from a vertex. Out of line, like the next function, so that `reach` is inlined into the
+  /// loop.
+  [[gnu::cold, gnu::noinline]] void begin_at(const StartVertex& start) {
+    const auto& [v, distance, always_emits, last] = start;
+    if (always_emits) always_emits_[v] = true;
     if (!(distance < distances_[v])) return;
     reach(v, distance);
-    recorder_.arrived(v, last_segment);
+    recorder_.arrived(v, last);
+  }
+
+  /// Starts with a window.
+  [[gnu::cold, gnu::noinline]] void begin_across(const StartWindow& start) {
+    const auto& [side, w, root] = start;
+    crossing_.emit(side, {w.x, w.y}, w.sigma, root, *this);
   }
 
   bool always_emits(Index v) const { return always_emits_[v]; }

@@ -32,15 +32,19 @@ class Mmp final : public Solver {
 
  private:
   /// A recorded solve; defined in recorded.h.
-  static void solve_recorded(const Mesh& mesh, const InternalQuery& query,
-                             std::span<double> distances, Recording& recording);
+  static void solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
+                             Recording& recording);
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    if (recording != nullptr && recording->kind != RecordingKind::windows) {
-      return solve_recorded(mesh(), query, distances, *recording);
+  void run(const Start& start, std::span<double> distances) override {
+    propagation_.run(start, distances);
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    if (recording.kind != RecordingKind::windows) {
+      return solve_recorded(mesh(), start, distances, recording);
     }
-    propagation_.run(query, distances, recording != nullptr ? Keep::for_readers : Keep::wavefront);
-    if (recording != nullptr) hand_over_windows(*recording->read_windows);
+    propagation_.run(start, distances, Keep::for_readers);
+    hand_over_windows(*recording.read_windows);
   }
 
   void hand_over_windows(const ReadWindows& read) const {

@@ -3,9 +3,9 @@
 
 namespace geodesic::mmp {
 
-template void Mmp<ByDistance>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
+template void Mmp<ByDistance>::solve_recorded(const Mesh&, const Start&, std::span<double>,
                                               Recording&);
-template void Mmp<ByBucket>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
+template void Mmp<ByBucket>::solve_recorded(const Mesh&, const Start&, std::span<double>,
                                             Recording&);
 
 }  // namespace geodesic::mmp

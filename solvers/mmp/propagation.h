@@ -43,10 +43,10 @@ class Propagation {
   Propagation& operator=(const Propagation&) = delete;
 
   /// @param keep whether to keep windows that the wavefront has passed
-  void run(const InternalQuery& query, std::span<double> distances, Keep keep = Keep::wavefront) {
+  void run(const Start& start, std::span<double> distances, Keep keep = Keep::wavefront) {
     const auto timed = recorder_.enter(Phase::propagation);
     keep_ = keep;
-    start(query, distances);
+    begin(start, distances);
     while (!wavefront_.empty()) {
       if (stops_ && is_over()) [[unlikely]] {
         break;
@@ -76,59 +76,51 @@ class Propagation {
   using Root = typename Origin::Root;
   using LastSegment = LastSegmentOf<Recorder>;
 
-  void start(const InternalQuery& query, std::span<double> distances) {
+  void begin(const Start& start, std::span<double> distances) {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
-    wavefront_.start(query.limit);
+    wavefront_.start(start.query.limit);
     budget_.start();
-    progress_.start(mesh_, query);
-    stops_ = query.stop_at_targets;
+    progress_.start(mesh_, start);
+    stops_ = start.query.stop_at_targets;
     if (stops_) wavefront_.keep_sorted();
-    stop_rule_ = StopRule(mesh_, query, distances_);
-    Index beyond_vertices = mesh_.vertex_count();
-    for (const InternalSource& source : query.sources) {
-      const Index root = beyond_vertices++;
-      if (source.at.is_vertex()) {
-        start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
-      } else {
-        spread(source, root);
-      }
+    stop_rule_ = StopRule(mesh_, start.query, distances_);
+    for (const auto& [v, distance, always_emits, last] : start.vertices) {
+      start_at(v, distance, always_emits, last);
     }
+    for (const StartWindow& each : start.windows) begin_across(each);
+    if (keep_ == Keep::for_readers) begin_along_edges(start.query);
   }
 
-  /// Makes v send out windows, whether it is a pseudo-source or not.
-  void start_at(Index v, double distance, LastSegment last_segment) {
+  /// Reaches v, and makes it send out windows whether it is a pseudo-source or not.
+  void start_at(Index v, double distance, bool always_emits, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
     recorder_.arrived(v, last_segment);
-    wavefront_.push_vertex(v, distance);
+    if (always_emits || (mesh_.is_pseudo_source(v) && has_news(v))) {
+      wavefront_.push_vertex(v, distance);
+    }
   }
 
-  /// Starts from a source that is not a vertex. Its windows wait on the sides of its face or faces,
-  /// and lie along its edge if it is on one.
-  [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
-    const double d = source.distance;
-    const Origin origin{Root(root), {}}, beyond = origin.next();
-    const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
-        __attribute__((cold)) {
-      if (is_next) {
-        start_at(mesh_.apex(h), d + rest, {h, root, from});
-      } else {
-        reach(mesh_.apex(h), d + rest, {h, root, from});
-      }
-    };
-    const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
-      const double length = mesh_.half_edge(h).length;
-      const Window across = turned({0, length, from.x, from.y, d}, length);
-      land(h, across, false, beyond);
-      cross_at_once(h, across, beyond);
-      row_ = 0;
-    };
-    spread_from(mesh_, source.at, reach_corner, cross_side);
-    const Index under = edge_under(source.at);
-    if (under == kNone || keep_ != Keep::for_readers) return;
-    const double length = mesh_.half_edge(under).length;
-    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, false, origin);
+  [[gnu::cold, gnu::noinline]] void begin_across(const StartWindow& start) {
+    const double length = mesh_.half_edge(start.side).length;
+    const Origin beyond = Origin{Root(start.root), {}}.next();
+    const Window leaving = turned(start.window, length);
+    land(start.side, leaving, false, beyond);
+    cross_at_once(start.side, leaving, beyond);
+    row_ = 0;
+  }
+
+  /// Adds the windows along the edges on which sources lie (emit_along_edges).
+  void begin_along_edges(const InternalQuery& query) {
+    for (Index i = 0; i < query.sources.size(); ++i) {
+      const InternalSource& source = query.sources[i];
+      const Index under = source.at.is_vertex() ? kNone : edge_under(source.at);
+      if (under == kNone) continue;
+      const double at = in_frame(mesh_, source.at, under).x;
+      land(under, {0, mesh_.half_edge(under).length, at, 0, source.distance}, false,
+           {Root(mesh_.vertex_count() + i), {}});
+    }
   }
 
   /// True when no more distances can change.
@@ -140,20 +132,14 @@ class Propagation {
   }
 
   void reach(Index v, double distance, LastSegment last_segment) {
-    if (!(distance < distances_[v])) return;
-    set_distance(v, distance);
-    recorder_.arrived(v, last_segment);
-    if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
+    start_at(v, distance, false, last_segment);
   }
 
   /// Reaches the apex of h along an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
-    if (is_next_to_apex(mesh_.half_edge(h), edge)) {
-      start_at(mesh_.apex(h), distance + edge, last_segment);
-    } else {
-      reach(mesh_.apex(h), distance + edge, last_segment);
-    }
+    start_at(mesh_.apex(h), distance + edge, is_next_to_apex(mesh_.half_edge(h), edge),
+             last_segment);
   }
 
   /// False when v has already sent out windows of its distance, up to rounding.

@@ -6,12 +6,12 @@
 namespace geodesic::mmp {
 
 template <class Policy>
-void Mmp<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
-                                 std::span<double> distances, Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
+void Mmp<Policy>::solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
+                                 Recording& recording) {
+  solve_recording(mesh, start.query, distances, recording, [&](auto recorder) {
     recorder.reinserted(0);
     recorder.window_bytes(sizeof(EdgeWindow<WindowOrigin<NoRecorder>>) + sizeof(ListedWindow));
-    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
+    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(start, distances);
   });
 }
 

@@ -103,14 +103,16 @@ class StraightGraph final : public Solver {
         graph_(std::move(graph)),
         search_(mesh, *graph_, Links::angle(description)) {}
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr || recording->kind != RecordingKind::paths) {
-      return search_.run(query, distances);
-    }
+  void run(const Start& start, std::span<double> distances) override {
+    search_.run(start.query, distances);
+  }
+
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    if (recording.kind != RecordingKind::paths) return run(start, distances);
     std::vector<Index> roots(distances.size(), kNone);
-    search_.run(query, distances, roots);
-    record_last_links(mesh(), query, Links::angle(description()), distances, roots,
-                      Links::follow_links(mesh(), description()), *recording);
+    search_.run(start.query, distances, roots);
+    record_last_links(mesh(), start.query, Links::angle(description()), distances, roots,
+                      Links::follow_links(mesh(), description()), recording);
   }
 
   std::shared_ptr<const Graph> graph_;

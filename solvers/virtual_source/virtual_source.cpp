@@ -58,16 +58,15 @@ class VirtualSource final : public Solver {
     Window window;
   };
 
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     distances_ = distances;
-    source_.resize(query.sources.size() > 1 ? mesh().vertex_count() : 0);
-    for (const InternalSource& source : query.sources) {
-      const Wave wave = {source.distance, source.at.vertex};
-      reach(source.at.vertex, source.distance, wave);
-      follow_lines(source.at.vertex, wave);
+    source_.resize(start.vertices.size() > 1 ? mesh().vertex_count() : 0);
+    for (const StartVertex& each : start.vertices) {
+      const Wave wave = {each.distance, each.vertex};
+      reach(each.vertex, each.distance, wave);
+      follow_lines(each.vertex, wave);
     }
-    StopRule stop_rule(mesh(), query, distances);
+    StopRule stop_rule(mesh(), start.query, distances);
     std::uint64_t left = kMostTaken * mesh().vertex_count();
     while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
       const Index v = front_.pop();

@@ -45,7 +45,7 @@ void predicted_threads(benchmark::State& state) {
   for (auto _ : state) {
     serial_time += seconds([&] { serial->solve(query, distances); });
     edge_based::RegionalWavefront::TurnTimes turns;
-    regional.run(in_internal_numbers(mesh, query), distances, &turns);
+    regional.run(Start(mesh, in_internal_numbers(mesh, query)), distances, &turns);
     for (std::size_t threads = 1; threads <= kMostThreads; threads *= 2) {
       for (const auto& step : turns) times[threads] += time_of_step(step, threads);
     }

@@ -23,7 +23,7 @@ class Dial final : public Solver {
         fast_(description.text("order") == "fast") {}
 
  private:
-  void run(const InternalQuery&, std::span<double> distances, Recording*) override {
+  void run(const Start&, std::span<double> distances) override {
     std::ranges::fill(distances, lambda_ + depth_ + (fast_ ? 1000 : 0));
   }
   const double lambda_;
@@ -168,7 +168,7 @@ class Renewed final : public Solver {
   int renewals = 0;
 
  private:
-  void run(const InternalQuery&, std::span<double>, Recording*) override {}
+  void run(const Start&, std::span<double>) override {}
   void renew_state() override { ++renewals; }
 };
 

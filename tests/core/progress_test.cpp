@@ -24,7 +24,7 @@ Progress started(const Mesh& mesh, const std::vector<Index>& sources) {
   Query query;
   for (const Index v : sources) query.sources.push_back({v});
   Progress progress;
-  progress.start(mesh, in_internal_numbers(mesh, query));
+  progress.start(mesh, Start(mesh, in_internal_numbers(mesh, query)));
   return progress;
 }
 

@@ -91,7 +91,7 @@ std::vector<double> distances_of(const Mesh& mesh, const MakePropagation& propag
   Recording recording;
   std::vector<double> distances(mesh.vertex_count(), kInfinity);
   propagation(CountingRecorder(recording))
-      .run(in_internal_numbers(mesh, {.sources = {{0}, {7, 0.5}}}), distances);
+      .run(Start(mesh, in_internal_numbers(mesh, {.sources = {{0}, {7, 0.5}}})), distances);
   return distances;
 }
 

@@ -14,7 +14,7 @@ namespace geodesic {
 namespace {
 
 const Mesh any_mesh(fan(3, 0, 1));
-const InternalQuery any_query;
+const Start any_start(any_mesh, {});
 
 // A constant expression neither reads a clock nor changes anything but the objects that it makes,
 // and these are empty.
@@ -36,7 +36,7 @@ consteval bool records() {
   recorder.wavefront_size(--count);
   recorder.wavefront_size(count += 2);
   NoRecorder::Progress progress;
-  progress.start(any_mesh, any_query);
+  progress.start(any_mesh, any_start);
   progress.reach(kInfinity);
   recorder.sample(progress, [](const auto&) { throw "it visits windows"; });
   return progress.made_step();

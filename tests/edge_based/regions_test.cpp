@@ -182,9 +182,9 @@ TEST(RegionalWavefront, times_every_turn_where_it_is_asked_to) {
   RegionalWavefront regional(mesh, InstructionSet::plain, 1, 100);
   std::vector<double> timed(mesh.vertex_count()), untimed(mesh.vertex_count());
   RegionalWavefront::TurnTimes first, second;
-  regional.run(in_internal_numbers(mesh, query), timed, &first);
-  regional.run(in_internal_numbers(mesh, query), untimed);
-  regional.run(in_internal_numbers(mesh, query), timed, &second);
+  regional.run(Start(mesh, in_internal_numbers(mesh, query)), timed, &first);
+  regional.run(Start(mesh, in_internal_numbers(mesh, query)), untimed);
+  regional.run(Start(mesh, in_internal_numbers(mesh, query)), timed, &second);
   EXPECT_EQ(timed, untimed);
   EXPECT_GT(count_turns(first), 16u) << "of as many regions";
   EXPECT_EQ(count_turns(first), count_turns(second));

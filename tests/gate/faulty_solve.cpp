@@ -68,6 +68,9 @@ void run_with_fault(const Run& run, const geodesic::Description& solver,
 }  // namespace
 
 // A macro is not expanded inside itself: the inner `run` is the solver's.
-#define run(query, distances, recording) \
-  run_with_fault([&] { run(query, distances, recording); }, description_, distances, recording)
+#define run(start, distances) \
+  run_with_fault([&] { run(start, distances); }, description_, distances, nullptr)
+#define record(start, distances, recording)                                             \
+  run_with_fault([&] { record(start, distances, recording); }, description_, distances, \
+                 &(recording))
 #include "solvers/core/solver.cpp"  // NOLINT(bugprone-suspicious-include)

@@ -65,7 +65,14 @@ class Faulty final : public Solver {
       : Solver(mesh, description), description_(description), fault_(fault), answers_(answers) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
+    answer(start, distances, nullptr);
+  }
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    answer(start, distances, &recording);
+  }
+  void answer(const Start& start, std::span<double> distances, Recording* recording) {
+    const InternalQuery& query = start.query;
     sources_.insert(query.sources.front().at.vertex);
     const Asked asked{description_, mesh(), query, distances, recording, solves_++, sources_};
     if (answers_) asked.solve_soundly(query);

@@ -21,7 +21,7 @@ Kept solve(const Mesh& mesh, const Query& query, Keep keep) {
   Kept solved;
   Propagation<Policy, CountingRecorder> propagation(mesh, CountingRecorder(solved.recording));
   std::vector<double> distances(mesh.vertex_count(), kInfinity);
-  propagation.run(in_internal_numbers(mesh, query), distances, keep);
+  propagation.run(Start(mesh, in_internal_numbers(mesh, query)), distances, keep);
   for (const double d : distances) solved.distances.push_back(std::bit_cast<std::uint64_t>(d));
   std::vector<Window> windows;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {

@@ -163,7 +163,7 @@ def test_verify_prints_a_command_that_loads_the_plugin(
     [
         ("taken", ["'mmp'", "another name"]),
         ("undefined", ["a::missing(int)", "build it again"]),
-        ("other-contract", ["built against contract 1010", "has contract ", "build it again"]),
+        ("other-contract", ["built against contract 1011", "has contract ", "build it again"]),
         ("other-sizes", ["built against contract ", "has contract ", "build it again"]),
     ],
 )

@@ -51,9 +51,9 @@ class Fake final : public Solver {
   Fake(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances, Recording*) override {
+  void run(const Start& start, std::span<double> distances) override {
     behave();
-    const Index source = query.sources.front().at.vertex;
+    const Index source = start.vertices.front().vertex;
     for (Index v = 0; v < distances.size(); ++v) {
       const Vec3 way = subtract(mesh().position(v), mesh().position(source));
       distances[v] = norm(way);

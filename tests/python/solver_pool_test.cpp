@@ -32,8 +32,8 @@ class Slow final : public Solver {
 
  private:
   Slow(const Mesh& mesh, const Description& description, int) : Solver(mesh, description) {}
-  void run(const InternalQuery& query, std::span<double> distances, Recording*) override {
-    if (query.limit == 0) throw std::runtime_error("no limit, please");
+  void run(const Start& start, std::span<double> distances) override {
+    if (start.query.limit == 0) throw std::runtime_error("no limit, please");
     std::ranges::fill(distances, 1);
   }
 };

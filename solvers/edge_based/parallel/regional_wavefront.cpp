@@ -133,7 +133,7 @@ class RegionalWavefront::RegionAtWork {
     for (auto& both : mail_) {
       for (Mail& mail : both) mail.clear();
     }
-    wavefront_.start(distances_);
+    wavefront_.forget(distances_);
     board.least_key = board.least_sent = kInfinity;
     board.cost = 0;
     for (auto& has_mail : board.has_mail) has_mail.store(false, std::memory_order_relaxed);
@@ -266,25 +266,24 @@ RegionalWavefront::RegionalWavefront(const Mesh& mesh, InstructionSet set, unsig
 
 RegionalWavefront::~RegionalWavefront() = default;
 
-void RegionalWavefront::run(const InternalQuery& query, std::span<double> distances,
-                            TurnTimes* times) {
+void RegionalWavefront::run(const Start& start, std::span<double> distances, TurnTimes* times) {
   using Clock = std::chrono::steady_clock;
   Steps& steps = *steps_;
   const auto plan = [&] {
     steps.plan();
     if (times != nullptr) times->emplace_back();
   };
-  const auto begin = [&] {
-    for (const InternalSource& source : query.sources) begin_at(source);
+  const auto begin_all = [&] {
+    begin(start);
     for (Index r = 0; r < regions_.size(); ++r) steps[r].least_key = at_work_[r]->least_key();
     plan();
   };
   const auto take_turn = [&](Index r, unsigned thread) {
     steps[r].thread.store(thread, std::memory_order_relaxed);
-    const auto start = times != nullptr ? Clock::now() : Clock::time_point();
+    const auto before = times != nullptr ? Clock::now() : Clock::time_point();
     at_work_[r]->take_turn(steps[r]);
     if (times != nullptr) {
-      times->back().push_back(std::chrono::duration<double>(Clock::now() - start).count());
+      times->back().push_back(std::chrono::duration<double>(Clock::now() - before).count());
     }
   };
   const auto hand_over = [&](std::size_t r) {
@@ -294,7 +293,7 @@ void RegionalWavefront::run(const InternalQuery& query, std::span<double> distan
   ThreadTeam::run(threads_, regions_.size(), [&](ThreadTeam& team, unsigned thread) {
     team.share(
         thread, regions_.size(), team.in_equal_parts(regions_.size()),
-        [&](std::size_t r) { at_work_[r]->start(steps[r]); }, begin);
+        [&](std::size_t r) { at_work_[r]->start(steps[r]); }, begin_all);
     while (!steps.due().empty() && !team.has_stopped()) {
       const std::span<const Index> due = steps.due();
       team.share(
@@ -305,20 +304,18 @@ void RegionalWavefront::run(const InternalQuery& query, std::span<double> distan
   });
 }
 
-void RegionalWavefront::begin_at(const InternalSource& source) {
-  if (source.at.is_vertex()) {
-    regions_.for_each_copy(source.at.vertex, [&](const InRegion& copy) {
-      at_work_[copy.region]->wavefront().begin_at(copy.number, source.distance);
+void RegionalWavefront::begin(const Start& start) {
+  for (StartVertex each : start.vertices) {
+    regions_.for_each_copy(each.vertex, [&](const InRegion& copy) {
+      each.vertex = copy.number;
+      at_work_[copy.region]->wavefront().begin_at(each);
     });
-    return;
   }
-  begin_inside(in_every_face(mesh_, source.at), source.distance, kNone,
-               [&](const InternalPoint& in_face) {
-                 const InRegion there = regions_.face(in_face.face);
-                 InternalPoint point = in_face;
-                 point.face = there.number;
-                 return Part{at_work_[there.region]->wavefront(), point};
-               });
+  for (StartWindow each : start.windows) {
+    const InRegion face = regions_.face(each.side / 3);
+    each.side = 3 * face.number + each.side % 3;
+    at_work_[face.region]->wavefront().begin_across(each);
+  }
 }
 
 }  // namespace geodesic::edge_based

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "solvers/core/instruction_set.h"
-#include "solvers/core/query.h"
+#include "solvers/core/start.h"
 #include "solvers/edge_based/parallel/regions.h"
 
 namespace geodesic::edge_based {
@@ -42,13 +42,13 @@ class RegionalWavefront {
 
   /// As Solver::run.
   /// @param times filled if not null; only with one thread
-  void run(const InternalQuery& query, std::span<double> distances, TurnTimes* times = nullptr);
+  void run(const Start& start, std::span<double> distances, TurnTimes* times = nullptr);
 
  private:
   class Steps;
   class RegionAtWork;
 
-  void begin_at(const InternalSource& source);
+  void begin(const Start& start);
 
   const Mesh& mesh_;
   Regions regions_;

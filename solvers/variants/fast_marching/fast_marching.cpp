@@ -51,13 +51,12 @@ class FastMarching final : public Solver {
         accepted_(mesh.vertex_count()) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     distances_ = distances;
     std::ranges::fill(accepted_, std::uint8_t{0});
     front_.clear();
-    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
-    while (!front_.empty() && front_.least_key() <= query.limit) {
+    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index v = front_.pop();
       accepted_[v] = 1;
       for (const Index h : mesh().outgoing(v)) {

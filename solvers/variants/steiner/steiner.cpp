@@ -75,12 +75,11 @@ class Steiner final : public Solver {
         distances_(nodes_.count()) {}
 
  private:
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
+  void run(const Start& start, std::span<double> distances) override {
     std::ranges::fill(distances_, kInfinity);
     front_.clear();
-    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
-    while (!front_.empty() && front_.least_key() <= query.limit) {
+    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index node = front_.pop();
       if (nodes_.is_vertex(node)) {
         leave_vertex(node);

@@ -33,18 +33,15 @@ class Unfolding final : public Solver {
     Window window;
   };
 
-  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+  void run(const Start& start, std::span<double> distances) override {
     distances_ = distances;
     sources_.clear();
     windows_.clear();
     budget_.start();
-    paths_.reset();
-    if (recording != nullptr && recording->kind == RecordingKind::paths) {
-      paths_.emplace(mesh(), query);
+    for (const auto& [v, distance, always_emits, last_segment] : start.vertices) {
+      reach(v, distance, last_segment, always_emits);
     }
-    for (Index i = 0; i < query.sources.size(); ++i) {
-      start(query.sources[i], mesh().vertex_count() + i);
-    }
+    for (const auto& [side, window, root] : start.windows) land(side, root, 0, window);
     while (!sources_.empty() || !windows_.empty()) {
       if (!sources_.empty()) {
         const InternalSource source = sources_.front();
@@ -54,28 +51,17 @@ class Unfolding final : public Solver {
         const Waiting w = windows_.front();
         windows_.pop_front();
         budget_.spend(1);
-        const bool is_too_far = least_distance(w.window) > query.limit;
+        const bool is_too_far = least_distance(w.window) > start.query.limit;
         if (!is_too_far && !is_beaten(w)) cross_face(w);
       }
     }
-    if (paths_) paths_->finish(distances_, *recording);
   }
 
-  /// Starts from a source: at a vertex, or from a point of a face to its corners and sides.
-  /// @param root the root of a source that is not a vertex
-  void start(const InternalSource& source, Index root) {
-    if (source.at.is_vertex()) {
-      const Index v = source.at.vertex;
-      return reach(v, source.distance, {kNone, v, {0, 0}}, true);
-    }
-    spread_from(
-        mesh(), source.at,
-        [&](Index h, const Point2& from, double rest, bool is_next) {
-          reach(mesh().apex(h), source.distance + rest, {h, root, from}, is_next);
-        },
-        [&](Index h, const Point2& from) {
-          land(h, root, 0, {0, mesh().half_edge(h).length, from.x, from.y, source.distance});
-        });
+  void record(const Start& start, std::span<double> distances, Recording& recording) override {
+    if (recording.kind == RecordingKind::paths) paths_.emplace(mesh(), start.query);
+    run(start, distances);
+    if (paths_) paths_->finish(distances, recording);
+    paths_.reset();
   }
 
   /// Updates v with a path of this length.
@@ -141,7 +127,7 @@ class Unfolding final : public Solver {
   std::span<double> distances_;
   std::deque<InternalSource> sources_;  // sources that must still send out windows
   std::deque<Waiting> windows_;         // windows that must still cross a face
-  std::optional<LastSegments> paths_;   // last segments of paths, if the query needs them
+  std::optional<LastSegments> paths_;   // last segments of paths, while they are recorded
 };
 
 const RegisterSolver<Unfolding> registered{{
