@@ -15,21 +15,21 @@ class MySolver final : public Solver {
 
  private:
   void run(const Start& start, std::span<double> distances) override {
-    const auto reach = [&](Index v, double d) {
+    const auto improve = [&](Index v, double d) {
       if (d < distances[v]) {
         distances[v] = d;
         front_.push_or_decrease(v, d);
       }
     };
-    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    for (const StartVertex& each : start.vertices) improve(each.vertex, each.distance);
     while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {
         const Index opposite = Mesh::next(h), into = Mesh::previous(h);
-        reach(mesh().head(h), distances[v] + mesh().half_edge(h).length);
-        reach(mesh().origin(into), distances[v] + mesh().half_edge(into).length);
+        improve(mesh().head(h), distances[v] + mesh().half_edge(h).length);
+        improve(mesh().origin(into), distances[v] + mesh().half_edge(into).length);
         if (mesh().twin(opposite) == kNone) continue;
-        reach(mesh().apex(mesh().twin(opposite)), distances[v] + line_across(opposite));
+        improve(mesh().apex(mesh().twin(opposite)), distances[v] + line_across(opposite));
       }
     }
     front_.clear();

@@ -23,19 +23,19 @@ class Corners {
   void clear() { owners_.assign(owners_.size(), {}); }
 
   /// Returns the children of a window of half-edge h whose line to the apex has length `distance`
-  /// and crosses the edge at `crossing`. Makes the window the owner of the corner if it is the
+  /// and crosses the edge at `position`. Makes the window the owner of the corner if it is the
   /// nearest so far. Lines that cross the edge less than `resolution` apart have no side:
   /// coincident vertices send out windows from one point that see different parts of the edge.
   /// `resolution` must be small: if lines pass a source near a corner over faces 10^4 times as long
   /// as wide, so many of them cross within 10^-6 of the edge that nothing bounds the windows.
-  Children claim(Index h, double distance, double crossing, double resolution) {
+  Children claim(Index h, double distance, double position, double resolution) {
     Owner& owner = owners_[h];
     if (distance < owner.distance) {
-      owner = {distance, crossing};
+      owner = {distance, position};
       return Children::both;
     }
-    if (crossing < owner.crossing - resolution) return Children::left;
-    return crossing > owner.crossing + resolution ? Children::right : Children::both;
+    if (position < owner.position - resolution) return Children::left;
+    return position > owner.position + resolution ? Children::right : Children::both;
   }
 
   /// Starts to load the owner of a corner.
@@ -44,7 +44,7 @@ class Corners {
  private:
   struct Owner {
     double distance = kInfinity;
-    double crossing = 0;
+    double position = 0;
   };
   std::vector<Owner> owners_;
 };

@@ -148,7 +148,7 @@ class Propagation {
         start_at(v, distance, last);
       } else {
         const Index h = last.half_edge;
-        reach_apex(h, face_frame(mesh_, h), distance, last.from, last);
+        improve_apex(h, face_frame(mesh_, h), distance, last.from, last);
       }
     }
   }
@@ -219,11 +219,11 @@ class Propagation {
   }
 
   void set_distance(Index v, double distance) {
-    progress_.reach(distances_[v]);
+    progress_.improved(distances_[v]);
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance, const Incoming& incoming, LastSegment last_segment) {
+  void improve(Index v, double distance, const Incoming& incoming, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
     recorder_.arrived(v, last_segment);
@@ -231,13 +231,13 @@ class Propagation {
   }
 
   /// Reaches the apex of h along an edge from a vertex that emits.
-  void reach_neighbour(Index h, double distance, double edge, const Incoming& incoming,
-                       LastSegment last_segment) {
+  void improve_neighbour(Index h, double distance, double edge, const Incoming& incoming,
+                         LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
       start_at(mesh_.apex(h), distance + edge, last_segment);
     } else {
-      reach(mesh_.apex(h), distance + edge, incoming, last_segment);
+      improve(mesh_.apex(h), distance + edge, incoming, last_segment);
     }
   }
 
@@ -263,9 +263,9 @@ class Propagation {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const HalfEdge& at_head = mesh_.half_edge(opposite);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
-      reach_neighbour(into, distance, out, {opposite, at_head.apex_x, at_head.apex_y},
-                      {into, v, {in, 0}});
-      reach_neighbour(h, distance, in, {into, in, 0}, {h, v, {0, 0}});
+      improve_neighbour(into, distance, out, {opposite, at_head.apex_x, at_head.apex_y},
+                        {into, v, {in, 0}});
+      improve_neighbour(h, distance, in, {into, in, 0}, {h, v, {0, 0}});
     }
     find_shadow(mesh_, v, unreliable_[v] ? Incoming{} : incoming, shadow_);
     for (const ShadowedEdge& edge : shadow_) {
@@ -279,27 +279,28 @@ class Propagation {
   void propagate(const Stored& w) {
     recorder_.propagated(1, w.depth.next());
     const Index h = w.half_edge;
-    recorder_.crossing(h, w, w.root);
+    recorder_.crosses(h, w, w.root);
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
     bool left = sight.left(), right = sight.right();
     if (left && right) {
       const double distance = distance_through(w, face.apex_x, face.apex_y);
-      reach_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
+      improve_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
       // A window that ends at the apex keeps its child: its neighbour may be the owner.
       if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
-            corners_.claim(h, distance, line_crossing(w, face), kApexTolerance * face.length);
+            corners_.claim(h, distance, apex_line_position(w, face), kApexTolerance * face.length);
         left = children != Children::right;
         right = children != Children::left;
       }
     } else if (sight.reaches()) {
       const double bend = sight.left() ? w.end : w.begin;  // the apex lies beyond this end
       const double rest = face.apex_x - bend;
-      reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
-                 {bend, 0}, {h, w.root, {w.x, w.y}});
+      improve_apex(h, face,
+                   distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
+                   {bend, 0}, {h, w.root, {w.x, w.y}});
     }
     if (left) {
       offer(w, to_left, face.left_child(w, sight.right()), Entry::at_origin,
@@ -320,14 +321,14 @@ class Propagation {
   }
 
   /// @param from a point of the path's last segment, in the frame of h
-  void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from,
-                  LastSegment last_segment) {
+  void improve_apex(Index h, const FaceFrame& face, double distance, const Point2& from,
+                    LastSegment last_segment) {
     const double dx = from.x - face.apex_x, dy = from.y - face.apex_y;
     // The half-edge that leaves the apex points against (left_x, left_y).
-    reach(mesh_.apex(h), distance,
-          {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
-           dx * face.left_y - dy * face.left_x},
-          last_segment);
+    improve(mesh_.apex(h), distance,
+            {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
+             dx * face.left_y - dy * face.left_x},
+            last_segment);
   }
 
   /// Queues a child of `parent` that leaves a face through the half-edge `across`, unless it is

@@ -17,7 +17,7 @@ class LastSegments {
   /// These functions implement those of PathRecorder (recorders.h).
   void arrived(Index v, const LastSegment& last_segment) { last_segments_[v] = last_segment; }
   const LastSegment& last_segment(Index v) const { return last_segments_[v]; }
-  void crossing(Index h, const Window& w, Index root) {
+  void crosses(Index h, const Window& w, Index root) {
     if (first_target_.empty()) return;
     const Index face = h / 3;
     for (Index i = first_target_[face]; i < first_target_[face + 1]; ++i) cross(h, w, root, i);

@@ -17,7 +17,7 @@ class Progress {
   void start(const Mesh& mesh, const Start& start);
 
   /// Call when a vertex gets a new distance. @param former its distance before
-  void reach(double former) { reached_ += former == kInfinity ? 1u : 0u; }
+  void improved(double former) { reached_ += former == kInfinity ? 1u : 0u; }
 
   Index reached() const { return reached_; }
   double share() const { return static_cast<double>(reached_) / static_cast<double>(reachable_); }

@@ -74,7 +74,7 @@ struct NoCount {
 /// As Progress.
 struct NoProgress {
   constexpr void start(const Mesh& /*mesh*/, const Start& /*start*/) {}
-  constexpr void reach(double /*former*/) {}
+  constexpr void improved(double /*former*/) {}
   constexpr bool made_step() const { return false; }
 };
 
@@ -102,7 +102,7 @@ struct NoRecorder {
 
   // As those of PathRecorder.
   constexpr void arrived(Index /*v*/, NoLastSegment /*last_segment*/) {}
-  constexpr void crossing(Index /*h*/, const Window& /*w*/, Index /*root*/) {}
+  constexpr void crosses(Index /*h*/, const Window& /*w*/, Index /*root*/) {}
 
   /// The given phase runs during the lifetime of the result (phase_timer.h).
   struct [[nodiscard]] NoScope {
@@ -229,7 +229,7 @@ struct PathRecorder : NoRecorder {
   void arrived(Index v, const LastSegment& last_segment) { segments.arrived(v, last_segment); }
   /// Call for every window that crosses the face of h, before other windows of its edge trim it.
   /// @param w in the frame of h; @param root as in LastSegment
-  void crossing(Index h, const Window& w, Index root) { segments.crossing(h, w, root); }
+  void crosses(Index h, const Window& w, Index root) { segments.crosses(h, w, root); }
 
   LastSegments& segments;
 };

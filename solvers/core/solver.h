@@ -27,8 +27,8 @@ namespace geodesic {
 class PreparedReader;
 class PreparedWriter;
 
-/// What a solver guarantees about its distances. In every case they are 0 at sources and infinite
-/// where no path leads.
+/// What a solver guarantees about its distances. In every case they are infinite where no path
+/// leads; at a source they are its initial distance, or less if another source is nearer.
 enum class Exactness {
   exact,        ///< the geodesic distance up to rounding (1e-12 relative on clean meshes)
   bounded,      ///< relative error of at most Description::error_bound

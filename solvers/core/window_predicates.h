@@ -88,7 +88,7 @@ void for_each_child(Index h, const FaceFrame& face, const Window& w, const Windo
 }
 
 /// Position where the line from the window's source to the apex crosses the line of the edge.
-inline double line_crossing(const Window& w, const FaceFrame& face) {
+inline double apex_line_position(const Window& w, const FaceFrame& face) {
   const double up = std::max(face.apex_y - w.y, kLeastHeight);
   return w.x + (face.apex_x - w.x) * (-w.y / up);
 }

@@ -20,20 +20,20 @@ Dijkstra::Dijkstra(const Mesh& mesh, const Description& description)
       front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()) {}
 
 void Dijkstra::run(const Start& start, std::span<double> distances) {
-  const auto reach = [&](Index v, double d) {
+  const auto improve = [&](Index v, double d) {
     if (d < distances[v]) {
       distances[v] = d;
       front_.push_or_decrease(v, d);
     }
   };
-  for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+  for (const StartVertex& each : start.vertices) improve(each.vertex, each.distance);
   StopRule stop_rule(mesh(), start.query, distances);
   while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
     const Index v = front_.pop();
     const double d = distances[v];
     mesh().prefetch_faces_around(front_.upcoming());
     mesh().for_each_edge_at(v, [&](Index u, Index edge, Index /*facing*/) {
-      reach(u, d + mesh().half_edge(edge).length);
+      improve(u, d + mesh().half_edge(edge).length);
     });
   }
   front_.clear();

@@ -187,7 +187,7 @@ inline void trim(Batch& batch, const EdgeBelow& edge) {
 }
 
 HWY_INLINE bool find_contested(Batch& batch, const ApexWinner& winner) {
-  const Vec position = all(winner.crossing);
+  const Vec position = all(winner.position);
   unsigned any = 0;
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const unsigned l = marks_at(batch.passes_left, i), r = marks_at(batch.passes_right, i);
@@ -330,10 +330,10 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
   for (std::size_t i = 0; i < count; i += kLanes) {
     const Windows w = windows_at(batch, i);
     const Vec across = hn::Sub(apex_x, w.x), up = hn::Max(hn::Sub(apex_y, w.y), least_height);
-    const Vec crossing = hn::Add(w.x, hn::Mul(across, hn::Div(hn::Neg(w.y), up)));
+    const Vec position = hn::Add(w.x, hn::Mul(across, hn::Div(hn::Neg(w.y), up)));
     const Mask inside = hn::FirstN(kTag, count - i);
-    const Mask only_left = hn::Lt(hn::Sub(w.end, crossing), slack);
-    const Mask only_right = hn::Lt(hn::Sub(crossing, w.begin), slack);
+    const Mask only_left = hn::Lt(hn::Sub(w.end, position), slack);
+    const Mask only_right = hn::Lt(hn::Sub(position, w.begin), slack);
     const Mask to_left = hn::AndNot(only_right, inside), to_right = hn::AndNot(only_left, inside);
     const unsigned passes_left = bits(to_left), passes_right = bits(to_right);
     left_groups[i / kLanes] = static_cast<std::uint8_t>(passes_left);
@@ -361,8 +361,8 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
   right.count = static_cast<std::uint32_t>(right_count);
   if (best.window == SIZE_MAX) return best;
   const Window w = batch.window(best.window);
-  best.crossing = crossing(w, face);
-  if (best.crossing == w.begin || best.crossing == w.end) [[unlikely]] {
+  best.position = apex_line_in(w, face);
+  if (best.position == w.begin || best.position == w.end) [[unlikely]] {
     best = plain::drop_unreached_sides(batch, face);
     unfold_marked<carried>(batch, face, batch.passes_left, batch.passes_right, left, right);
   }

@@ -84,7 +84,7 @@ class ListCrossing {
     Segment* right = lists_.allocate(batch_.count);
     const ApexWinner winner = kernels_.unfold(batch_, face, *left, *right);
     if (winner.window != SIZE_MAX) {
-      wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });
+      wavefront.improve(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });
     }
     if (winner.is_contested && !mesh_.crosses_non_manifold_edges()) {
       choose_sides(winner, face, recorder);
@@ -198,7 +198,7 @@ class ListCrossing {
   void hand_over(Index h, Recorder& recorder) const {
     if constexpr (!Recorder::kRemembers) return;
     for (std::size_t i = 0; i < batch_.count; ++i) {
-      if (!batch_.is_struck_out(i)) recorder.crossing(h, batch_.window(i), root_of(i));
+      if (!batch_.is_struck_out(i)) recorder.crosses(h, batch_.window(i), root_of(i));
     }
   }
 

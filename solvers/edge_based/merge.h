@@ -9,10 +9,10 @@
 //
 // Shortening. Along the edge, the difference of the distances of two windows a and b has at most
 // one extremum inside their overlap. If a is shorter at the overlap's begin and b at its end, there
-// is one crossing. Two points that bracket it are computed; a ends at the upper one and b begins at
-// the lower one. If one window is shorter at neither end, and the source of the other lies to one
-// side of all its lines there, so that the difference is monotonic, it keeps only the part beyond
-// the overlap. F does not change, and so neither does G.
+// is one intersection. Two points that bracket it are computed; a ends at the upper one and b
+// begins at the lower one. If one window is shorter at neither end, and the source of the other
+// lies to one side of all its lines there, so that the difference is monotonic, it keeps only the
+// part beyond the overlap. F does not change, and so neither does G.
 //
 // Merging. Neighbours a and b that meet, or overlap by such a bracket, become one window m over
 // both intervals when
@@ -161,14 +161,14 @@ struct HandOver {
   Double2 at_tie;
 };
 
-/// Brackets the only crossing of two windows whose difference is `before` at `begin` and `after` at
-/// `end` of their overlap.
+/// Brackets the only intersection of two windows whose difference is `before` at `begin` and
+/// `after` at `end` of their overlap.
 inline HandOver crossing_of(const Neighbours& both, double begin, Double2 at_begin, double end,
                             Double2 at_end) {
   const double before = at_begin[0] - at_begin[1], after = at_end[0] - at_end[1];
   const double tie = begin + (end - begin) * (before / (before - after));
   const Double2 at_tie = both.at(tie);
-  // A point on the other side of the crossing: twice the secant step, if that is enough.
+  // A point on the other side of the intersection: twice the secant step, if that is enough.
   const double g = at_tie[0] - at_tie[1];
   const bool above = g > 0;
   const double far = above ? begin : end;

@@ -165,7 +165,7 @@ class MergedCrossing {
   void reach_apex(Index h, const Line& line, Wavefront& wavefront) {
     const Index apex = mesh_.apex(h);
     if (!(line.to_apex < distances_[apex])) return;
-    wavefront.reach(apex, line.to_apex);
+    wavefront.set_distance(apex, line.to_apex);
     lists_.shortfalls().set(apex, line.merged.shortfall);
   }
 
@@ -177,10 +177,10 @@ class MergedCrossing {
 
   /// Drops lines that cross the shortest line to the apex.
   void drop_crossing(Stack<Line>& lines, const Line& best, const FaceFrame& face) const {
-    const double crossing = line_crossing(best.merged.window, face);
+    const double position = apex_line_position(best.merged.window, face);
     for (Line& line : lines) {
       const Window& w = line.merged.window;
-      const bool after = w.begin >= crossing, before = w.end <= crossing;
+      const bool after = w.begin >= position, before = w.end <= position;
       if (&line == &best || (!after && !before)) continue;
       if (line.left && line.right) {
         if (is_shorter(best.to_apex, line.to_apex, rounding_)) {

@@ -76,11 +76,11 @@ inline void trim(Batch& batch, const EdgeBelow& edge) {
     const double line = distance_through(w, face.apex_x, face.apex_y);
     const double bent = least_distance_to(w, face.apex_x, face.apex_y);
     if (bent - line > kApexExcess * line) {
-      (crossing(w, face) == w.end ? batch.passes_right : batch.passes_left).clear(i);
+      (apex_line_in(w, face) == w.end ? batch.passes_right : batch.passes_left).clear(i);
     } else if (line < best.distance) {
       best.window = i;
       best.distance = line;
-      best.crossing = crossing(w, face);
+      best.position = apex_line_in(w, face);
     }
   }
   return best;
@@ -90,7 +90,7 @@ inline void trim(Batch& batch, const EdgeBelow& edge) {
 
 /// Marks the sides on which the lines of each window pass the apex. The line to the apex separates
 /// them; where it misses the interval by rounding only, both sides are marked.
-/// @return the window that sees the apex at the least distance, without its crossing
+/// @return the window that sees the apex at the least distance, without its position
 inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
   std::uint8_t* passes_left = batch.passes_left.groups();
   std::uint8_t* passes_right = batch.passes_right.groups();
@@ -98,7 +98,7 @@ inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
   ApexWinner best;
   for (std::size_t i = 0; i < batch.count; ++i) {
     const Window w = batch.window(i);
-    const double to_apex = line_crossing(w, face);
+    const double to_apex = apex_line_position(w, face);
     passes_left[i] = !(to_apex - w.begin < -slack);
     passes_right[i] = !(w.end - to_apex < -slack);
     if ((passes_left[i] & passes_right[i]) == 0) continue;
@@ -119,8 +119,8 @@ inline bool find_contested(Batch& batch, const ApexWinner& winner) {
   for (std::size_t i = 0; i < batch.count; ++i) {
     const bool left = batch.passes_left.groups()[i] != 0;
     const bool right = batch.passes_right.groups()[i] != 0;
-    const bool beyond = batch.array(kBegin)[i] >= winner.crossing;
-    const bool before = batch.array(kEnd)[i] <= winner.crossing;
+    const bool beyond = batch.array(kBegin)[i] >= winner.position;
+    const bool before = batch.array(kEnd)[i] <= winner.position;
     const bool contested = i != winner.window && ((left && (right || beyond)) || (right && before));
     batch.contested.groups()[i] = contested;
     any |= contested;
@@ -158,8 +158,8 @@ inline ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Seg
   ApexWinner best = classify(batch, face);
   if (best.window != SIZE_MAX) {
     const Window w = batch.window(best.window);
-    best.crossing = crossing(w, face);
-    if (best.crossing == w.begin || best.crossing == w.end) [[unlikely]] {
+    best.position = apex_line_in(w, face);
+    if (best.position == w.begin || best.position == w.end) [[unlikely]] {
       best = drop_unreached_sides(batch, face);
     }
   }

@@ -16,7 +16,7 @@ enum class Side : std::uint8_t { none, left, right, both };
 struct ApexWinner {
   std::size_t window = SIZE_MAX;  ///< the window of the path; SIZE_MAX when none sees the apex
   double distance = kInfinity;    ///< to the apex
-  double crossing = 0;            ///< its position on the edge
+  double position = 0;            ///< its position on the edge
   bool is_contested = false;      ///< some other window needs `sides_kept`
 };
 
@@ -27,9 +27,9 @@ inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
   return distance_at(w, bend) + std::sqrt(dx * dx + face.apex_y * face.apex_y);
 }
 
-/// The position in the window's interval that is nearest to line_crossing.
-inline double crossing(const Window& w, const FaceFrame& face) {
-  return std::clamp(line_crossing(w, face), w.begin, w.end);
+/// The position in the window's interval that is nearest to apex_line_position.
+inline double apex_line_in(const Window& w, const FaceFrame& face) {
+  return std::clamp(apex_line_position(w, face), w.begin, w.end);
 }
 
 /// Returns the sides that remain of a window other than the winner's.
@@ -46,17 +46,17 @@ inline Side sides_kept(const Window& w, Side seen, const ApexWinner& winner, con
     // beaten: one whole side, unless the source lies inside the pencil. This requires that the
     // winner's path crosses the edge on the side of its source. Round the end of its own window, at
     // a saddle vertex, it may cross on the other side: it then crosses no line.
-    const double t = crossing(w, face);
+    const double t = apex_line_in(w, face);
     if (source_on_edge(w, face.length) || has_no_side(w, t, best.x, best.y, rounding)) return seen;
-    if (!is_left_of_line(w, t, best.x, best.y) && winner.crossing >= t) {
+    if (!is_left_of_line(w, t, best.x, best.y) && winner.position >= t) {
       return is_right_of_line(w, w.end, best.x, best.y) ? Side::left : Side::both;
     }
-    if (!is_right_of_line(w, t, best.x, best.y) && winner.crossing <= t) {
+    if (!is_right_of_line(w, t, best.x, best.y) && winner.position <= t) {
       return is_left_of_line(w, w.begin, best.x, best.y) ? Side::right : Side::both;
     }
     return Side::both;
   }
-  const bool crosses = seen == Side::left ? w.begin >= winner.crossing : w.end <= winner.crossing;
+  const bool crosses = seen == Side::left ? w.begin >= winner.position : w.end <= winner.position;
   if (crosses && is_shorter(winner.distance, bent_distance(w, seen, face), rounding)) {
     return Side::none;
   }

@@ -87,7 +87,7 @@ inline double kept_beyond(const Window& loser, double p, double rounding) {
 /// Trims the loser: `winner` is shorter at a point of the loser's line through position `p`.
 /// Removes the lines of the loser between p and the direction of the winner's source. Removes
 /// nothing when that source lies on the line itself and so has no side.
-inline void beat(const Window& winner, Window& loser, double p, double rounding) {
+inline void cut(const Window& winner, Window& loser, double p, double rounding) {
   if (has_no_side(loser, p, winner.x, winner.y, rounding)) return;
   if (!is_left_of_line(loser, p, winner.x, winner.y)) {
     if (is_right_of_line(loser, loser.end, winner.x, winner.y)) {
@@ -111,9 +111,9 @@ inline void decide(Window& a, double pa, Window& b, double pb, double px, double
   const double da = distance_through(a, px, py);
   const double db = distance_through(b, px, py);
   if (is_shorter(da, db, rounding)) {
-    beat(a, b, pb, rounding);
+    cut(a, b, pb, rounding);
   } else if (is_shorter(db, da, rounding)) {
-    beat(b, a, pa, rounding);
+    cut(b, a, pa, rounding);
   }
 }
 
@@ -146,9 +146,9 @@ inline Pair pair_at(const Window& first, const Window& second, double t) {
 /// As `decide`, for a point of the edge on both windows' lines.
 inline void decide_at(const Pair& at, Window& first, Window& second, double rounding) {
   if (is_shorter(at.first, at.second, rounding)) {
-    beat(first, second, at.t, rounding);
+    cut(first, second, at.t, rounding);
   } else if (is_shorter(at.second, at.first, rounding)) {
-    beat(second, first, at.t, rounding);
+    cut(second, first, at.t, rounding);
   }
 }
 

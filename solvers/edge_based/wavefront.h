@@ -18,7 +18,7 @@
 //   window_count(), for_each_window(h, visit)
 //                               number of waiting windows; visit(const Window&) for each on h
 //
-// and calls `reach`, `arrive` and `land` of the wavefront.
+// and calls `set_distance`, `improve` and `land` of the wavefront.
 #pragma once
 
 #include <span>
@@ -77,13 +77,13 @@ class Wavefront {
     crossing_.start(distances);
   }
 
-  /// Starts from a vertex. Out of line, like the next function, so that `reach` is inlined into the
-  /// loop.
+  /// Starts from a vertex. Out of line, like the next function, so that `set_distance` is inlined
+  /// into the loop.
   [[gnu::cold, gnu::noinline]] void begin_at(const StartVertex& start) {
     const auto& [v, distance, always_emits, last] = start;
     if (always_emits) always_emits_[v] = true;
     if (!(distance < distances_[v])) return;
-    reach(v, distance);
+    set_distance(v, distance);
     recorder_.arrived(v, last);
   }
 
@@ -178,7 +178,7 @@ class Wavefront {
     const double distance = distances_[v] + length;
     if (!(distance < distances_[end])) return;
     if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, last_segment);
-    reach(end, distance);
+    set_distance(end, distance);
     crossing_.follow_edge(v, end);
     if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = true;
   }
@@ -196,19 +196,19 @@ class Wavefront {
   /// Records a straight line of this length to v.
   /// @param last_segment makes the LastSegment; called only if paths are recorded
   template <class MakeLastSegment>
-  void arrive(Index v, double distance, const MakeLastSegment& last_segment) {
+  void improve(Index v, double distance, const MakeLastSegment& last_segment) {
     if (distance < distances_[v]) {
       if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment());
-      reach(v, distance);
+      set_distance(v, distance);
     } else if constexpr (Recorder::kRemembers) {
       if (straightens_tie(v, distance)) recorder_.arrived(v, last_segment());
     }
   }
 
   /// Records a path to v that is shorter than all before.
-  void reach(Index v, double distance) {
+  void set_distance(Index v, double distance) {
     const auto timed = recorder_.enter(Phase::queue);
-    progress_.reach(distances_[v]);
+    progress_.improved(distances_[v]);
     distances_[v] = distance;
     queue_.push_or_decrease(v, distance);
   }

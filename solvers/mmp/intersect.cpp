@@ -19,7 +19,7 @@ bool may_lose_between(const Window& winner, const Window& other) {
 
 Division whole(bool challenger) { return {.challenger_first = challenger}; }
 
-/// Keeps the crossings strictly inside the interval and apart from each other.
+/// Keeps the intersections strictly inside the interval and apart from each other.
 void restrict_to(double from, double to, double narrowest, Crossings& found) {
   int kept = 0;
   double previous = from;
@@ -84,8 +84,8 @@ Crossings crossings(const Window& a, const Window& b) {
   return {.count = 2, .at = {a.x + std::min(t, u), a.x + std::max(t, u)}};
 }
 
-Division divide_at_crossings(const Window& challenger, const Window& incumbent, double from,
-                             double to, double narrowest, int at_from, int at_to) {
+Division divide_at_intersections(const Window& challenger, const Window& incumbent, double from,
+                                 double to, double narrowest, int at_from, int at_to) {
   if (at_from * at_to > 0) {
     const Window& winner = at_from < 0 ? challenger : incumbent;
     const Window& other = at_from < 0 ? incumbent : challenger;

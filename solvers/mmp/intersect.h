@@ -62,8 +62,8 @@ inline bool stays_behind(const EndDistances& lost, const EndDistances& won, doub
 
 /// The part of `divide` for intervals that the ends do not decide.
 /// @param at_from, at_to result of `nearer` at the ends of the interval
-Division divide_at_crossings(const Window& challenger, const Window& incumbent, double from,
-                             double to, double narrowest, int at_from, int at_to);
+Division divide_at_intersections(const Window& challenger, const Window& incumbent, double from,
+                                 double to, double narrowest, int at_from, int at_to);
 
 /// Divides the interval [from, to] of an edge between two windows: each gets the points where it is
 /// shorter. The challenger must be shorter by kPathMargin, relative; the incumbent keeps ties, so
@@ -82,7 +82,7 @@ inline Division divide(const Window& challenger, const Window& incumbent, double
   const auto sign = [&](unsigned bit) {
     return static_cast<int>((behind & bit) != 0) - static_cast<int>((ahead & bit) != 0);
   };
-  return divide_at_crossings(challenger, incumbent, from, to, narrowest, sign(1), sign(2));
+  return divide_at_intersections(challenger, incumbent, from, to, narrowest, sign(1), sign(2));
 }
 
 /// The positions on the edge's line where two windows give equal distances, ascending, regardless

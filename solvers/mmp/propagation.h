@@ -6,8 +6,8 @@
 //
 // The queue holds windows and pseudo-sources. A window from the queue is unfolded across the face
 // that it enters. Its children are inserted among the windows of the two edges on which they land
-// (wavefront.h), and the parts that they win are queued. A pseudo-source sends windows into all its
-// faces.
+// (windows_of_edges.h), and the parts that they win are queued. A pseudo-source sends windows into
+// all its faces.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include "solvers/core/solver.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/core/window_predicates.h"
-#include "solvers/mmp/wavefront.h"
+#include "solvers/mmp/windows_of_edges.h"
 
 namespace geodesic::mmp {
 
@@ -37,7 +37,7 @@ class Propagation {
       : mesh_(mesh),
         recorder_(recorder),
         budget_(mesh),
-        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_),
+        edges_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_),
         rounding_(coordinate_rounding(mesh)) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
@@ -47,43 +47,43 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     keep_ = keep;
     begin(start, distances);
-    while (!wavefront_.empty()) {
+    while (!edges_.empty()) {
       if (stops_ && is_over()) [[unlikely]] {
         break;
       }
       budget_.spend(1);
-      if (keep == Keep::wavefront) wavefront_.release_passed(mesh_, distances_);
-      const W w = wavefront_.take(mesh_);
+      if (keep == Keep::wavefront) edges_.release_passed(mesh_, distances_);
+      const W w = edges_.take(mesh_);
       if (w.state == State::waits) {
         propagate(w);
       } else if (w.state == State::vertex) {
         emit(w.into);
       }
-      if (progress_.made_step()) wavefront_.sample(progress_);
+      if (progress_.made_step()) edges_.sample(progress_);
     }
-    if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
+    if constexpr (Recorder::kRecords) recorder_.recording.window_limit = edges_.windows_left();
   }
 
   /// The windows of the last solve on an edge (FinalWindows). It must have kept all windows.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
-    wavefront_.copy_windows(list_of(half_edge, mesh_.twin(half_edge)), windows);
+    edges_.copy_windows(list_of(half_edge, mesh_.twin(half_edge)), windows);
   }
 
  private:
-  using Front = Wavefront<typename Policy::Queue, Recorder>;
-  using W = typename Front::W;
-  using Origin = typename Front::Origin;
+  using Edges = WindowsOfEdges<typename Policy::Queue, Recorder>;
+  using W = typename Edges::W;
+  using Origin = typename Edges::Origin;
   using Root = typename Origin::Root;
   using LastSegment = LastSegmentOf<Recorder>;
 
   void begin(const Start& start, std::span<double> distances) {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
-    wavefront_.start(start.query.limit);
+    edges_.start(start.query.limit);
     budget_.start();
     progress_.start(mesh_, start);
     stops_ = start.query.stop_at_targets;
-    if (stops_) wavefront_.keep_sorted();
+    if (stops_) edges_.keep_sorted();
     stop_rule_ = StopRule(mesh_, start.query, distances_);
     for (const auto& [v, distance, always_emits, last] : start.vertices) {
       start_at(v, distance, always_emits, last);
@@ -98,7 +98,7 @@ class Propagation {
     set_distance(v, distance);
     recorder_.arrived(v, last_segment);
     if (always_emits || (mesh_.is_pseudo_source(v) && has_news(v))) {
-      wavefront_.push_vertex(v, distance);
+      edges_.push_vertex(v, distance);
     }
   }
 
@@ -124,19 +124,19 @@ class Propagation {
   }
 
   /// True when no more distances can change.
-  [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(wavefront_.least_key()); }
+  [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(edges_.least_key()); }
 
   void set_distance(Index v, double distance) {
-    progress_.reach(distances_[v]);
+    progress_.improved(distances_[v]);
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance, LastSegment last_segment) {
+  void improve(Index v, double distance, LastSegment last_segment) {
     start_at(v, distance, false, last_segment);
   }
 
   /// Reaches the apex of h along an edge from a vertex that emits.
-  void reach_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
+  void improve_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     start_at(mesh_.apex(h), distance + edge, is_next_to_apex(mesh_.half_edge(h), edge),
              last_segment);
@@ -155,8 +155,8 @@ class Propagation {
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
-      reach_neighbour(into, d, out, {into, v, {in, 0}});
-      reach_neighbour(h, d, in, {h, v, {0, 0}});
+      improve_neighbour(into, d, out, {into, v, {in, 0}});
+      improve_neighbour(h, d, in, {h, v, {0, 0}});
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
@@ -217,12 +217,13 @@ class Propagation {
 
   /// @param w in the frame of h, whose face it enters; y < 0
   void cross_face(Index h, const Window& w, const Origin& origin) {
-    recorder_.crossing(h, w, origin.root);
+    recorder_.crosses(h, w, origin.root);
     const HalfEdge& e = mesh_.half_edge(h);
     const WindowSight sight(w, {e.apex_x, e.apex_y});
     const bool left = sight.left(), right = sight.right();
     if (sight.reaches()) [[unlikely]] {
-      reach(mesh_.apex(h), least_distance_to(w, e.apex_x, e.apex_y), {h, origin.root, {w.x, w.y}});
+      improve(mesh_.apex(h), least_distance_to(w, e.apex_x, e.apex_y),
+              {h, origin.root, {w.x, w.y}});
     }
     if (left && right) [[unlikely]] {
       land_child(h, false, w, true, origin);
@@ -287,7 +288,7 @@ class Propagation {
     W listed{mirrored_if(turns != mirrored, w, length), w.y > 0 ? twin : kNone, State::waits,
              origin};
     listed.y *= kSign[turns];
-    wavefront_.insert(list, length, listed);
+    edges_.insert(list, length, listed);
   }
 
   /// Converts a window from the frame of a half-edge to the frame of its twin.
@@ -311,7 +312,7 @@ class Propagation {
   const Mesh& mesh_;
   [[no_unique_address]] Recorder recorder_;
   WindowBudget budget_;
-  Front wavefront_;
+  Edges edges_;
   double rounding_;  // of coordinates
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last

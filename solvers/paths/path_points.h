@@ -31,7 +31,7 @@ class PathPoints {
 
   /// Adds the point where a line leaves a face.
   /// @param x distance from the head of h, by which the line leaves
-  void add_crossing(Index h, double x, double step) {
+  void add_edge_point(Index h, double x, double step) {
     const double length = mesh_.half_edge(h).length;
     const double at_origin = length > 0 ? x / length : 0, at_head = 1 - at_origin;
     InternalPoint point;

@@ -31,8 +31,8 @@ class Ray {
   /// @param side direction from the corner, of length 1
   /// @param along the result if the ray is parallel to the side
   /// @param outwards 1 or -1: the direction in which the rounding error is added
-  double crossing(const Point2& corner, const Point2& side, double length, double along,
-                  double outwards) const {
+  double meeting(const Point2& corner, const Point2& side, double length, double along,
+                 double outwards) const {
     const double turn = to_.x * side.y - to_.y * side.x;
     if (turn == 0) return along;
     const double at = std::clamp(-across(corner) / turn, 0.0, length);
@@ -137,8 +137,8 @@ void PathSearch::start_at_vertex(Index i) {
   }
 }
 
-void PathSearch::add_end(Index vertex, Index face, Index before) {
-  if (!is_end(vertex)) ends_.push_back({vertex, face, before});
+void PathSearch::add_end(Index vertex, Index face, Index previous) {
+  if (!is_end(vertex)) ends_.push_back({vertex, face, previous});
 }
 
 bool PathSearch::is_end(Index vertex) const {
@@ -171,19 +171,19 @@ void PathSearch::look_beyond(Index view) {
   if (left && right) consider_vertex(mesh_.apex(seen.in), apex, seen.eye, root);
   if (left) {
     const Point2 origin{0, 0}, side{f.left_x, f.left_y};
-    const double begin = first.crossing(origin, side, f.left, 0, -1);
-    const double end = right ? f.left : last.crossing(origin, side, f.left, f.left, 1);
+    const double begin = first.meeting(origin, side, f.left, 0, -1);
+    const double end = right ? f.left : last.meeting(origin, side, f.left, f.left, 1);
     see(Mesh::previous(seen.in), f.to_left(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
   }
   if (right) {
     const Point2 head{f.length, 0}, side{-f.right_x, -f.right_y};
-    const double begin = left ? 0 : f.right - first.crossing(head, side, f.right, f.right, 1);
-    const double end = f.right - last.crossing(head, side, f.right, 0, -1);
+    const double begin = left ? 0 : f.right - first.meeting(head, side, f.right, f.right, 1);
+    const double end = f.right - last.meeting(head, side, f.right, 0, -1);
     see(Mesh::next(seen.in), f.to_right(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
   }
 }
 
-void PathSearch::see(Index side, const Point2& eye, double begin, double end, Index before,
+void PathSearch::see(Index side, const Point2& eye, double begin, double end, Index parent,
                      Index first) {
   mesh_.for_each_sheet(side, [&](Index sheet) {
     const View view{mesh_.twin(sheet),
@@ -191,7 +191,7 @@ void PathSearch::see(Index side, const Point2& eye, double begin, double end, In
                     std::min(begin, end),
                     end,
                     side,
-                    before,
+                    parent,
                     first};
     if (!may_lead(view) || is_seen(view)) return;
     views_of_[view.in].push_back(static_cast<Index>(views_.size()));
@@ -240,7 +240,7 @@ bool PathSearch::may_lead_to_aim(const View& view, double nearest) const {
 /// tip of needles, or among faces without area, lines continue without end, which no shortest path
 /// does.
 bool PathSearch::is_seen(const View& view) const {
-  for (Index i = view.before; i != kNone; i = views_[i].before) {
+  for (Index i = view.parent; i != kNone; i = views_[i].parent) {
     if (views_[i].in / 3 == view.in / 3) return true;
   }
   const auto others = views_of_.find(view.in);
@@ -255,14 +255,14 @@ bool PathSearch::is_seen(const View& view) const {
 
 /// @param place, eye in the frame of the root's half-edge
 void PathSearch::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
-  const double before = field_[v];
-  if (before > distance_ || !field_.may_bend(v)) return;
+  const double distance = field_[v];
+  if (distance > distance_ || !field_.may_bend(v)) return;
   // Vertices at the position of the end are skipped, except sources.
   if (is_end(v) && (end_.vertex == v || field_.source_at(v) == kNone)) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
   root.at = InternalPoint(v);
-  consider(root, before, place, eye);
+  consider(root, distance, place, eye);
 }
 
 void PathSearch::consider_sources(const Point2& eye, Root root) {
@@ -284,22 +284,23 @@ bool PathSearch::shows(const View& view, const Point2& place) const {
          to_end(view, slack).across(place) >= -slack;
 }
 
-void PathSearch::consider(Root root, double before, const Point2& place, const Point2& eye) {
+void PathSearch::consider(Root root, double distance, const Point2& place, const Point2& eye) {
   if (aim_ != kNone && root.root != aim_) return;
   root.place = place;
-  root.before = before;
-  root.distance = before + distance_between(place, eye);
+  root.root_distance = distance;
+  root.distance = distance + distance_between(place, eye);
   if (root.distance > best_.distance + tie_) return;
-  const bool wins = root.distance < best_.distance - tie_ || root.before < best_.before;
+  const bool wins =
+      root.distance < best_.distance - tie_ || root.root_distance < best_.root_distance;
   if (wins && is_straight(root)) best_ = root;
 }
 
-/// Whether the path through the crossings is as long as the straight line of the unfolded strip.
+/// Whether the path through the edge points is as long as the straight line of the unfolded strip.
 /// Among faces without area a strip may turn back, and rounding lets the line pass.
 bool PathSearch::is_straight(const Root& root) const {
   const Piece piece = piece_from(root);
-  double length = piece.before + piece.rest;
-  for (const Crossing& crossing : piece.crossings) length += crossing.step;
+  double length = piece.root_distance + piece.rest;
+  for (const EdgePoint& crossing : piece.edge_points) length += crossing.step;
   return length <= root.distance + kPathWrong * (distance_ + mesh_.mean_edge_length());
 }
 
@@ -308,27 +309,27 @@ PathSearch::Piece PathSearch::piece_from(const Root& root) const {
               .at = root.at,
               .half_edge = root.half_edge,
               .distance = root.distance,
-              .before = root.before};
+              .root_distance = root.root_distance};
   if (root.root == kNone) return piece;
-  for (Index i = root.end; i != kNone && ends_[i].before != kNone; i = ends_[i].before) {
+  for (Index i = root.end; i != kNone && ends_[i].previous != kNone; i = ends_[i].previous) {
     piece.ends.push_back(ends_[i]);
   }
   std::ranges::reverse(piece.ends);
   // From the root on, the line is aimed at the end again in every face.
   Point2 ahead = root.place;
-  for (Index i = root.view; i != kNone; i = views_[i].before) {
+  for (Index i = root.view; i != kNone; i = views_[i].parent) {
     const View& view = views_[i];
     const double up = ahead.y - view.eye.y;
     const double x = up > 0 ? ahead.x - (ahead.x - view.eye.x) * (ahead.y / up) : ahead.x;
     const Point2 here{std::clamp(x, 0.0, mesh_.half_edge(view.in).length), 0};
-    (piece.crossings.empty() ? piece.rest : piece.crossings.back().step) =
+    (piece.edge_points.empty() ? piece.rest : piece.edge_points.back().step) =
         distance_between(here, ahead);
-    piece.crossings.push_back({view.side, here.x, 0});
-    if (view.before == kNone) {
-      piece.crossings.back().step = distance_between(here, view.eye);
+    piece.edge_points.push_back({view.side, here.x, 0});
+    if (view.parent == kNone) {
+      piece.edge_points.back().step = distance_between(here, view.eye);
       break;
     }
-    const Index in = views_[view.before].in;
+    const Index in = views_[view.parent].in;
     const FaceFrame f = face_frame(mesh_, in);
     if (view.side == Mesh::previous(in)) {
       ahead = {here.x * f.left_x, here.x * f.left_y};
@@ -337,8 +338,8 @@ PathSearch::Piece PathSearch::piece_from(const Root& root) const {
       ahead = {f.length - u * f.right_x, -u * f.right_y};
     }
   }
-  if (root.view == kNone) piece.rest = root.distance - root.before;
-  std::ranges::reverse(piece.crossings);
+  if (root.view == kNone) piece.rest = root.distance - root.root_distance;
+  std::ranges::reverse(piece.edge_points);
   return piece;
 }
 

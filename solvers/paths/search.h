@@ -26,29 +26,29 @@ namespace geodesic {
 class PathSearch {
  public:
   /// Point where the piece leaves a face: at the distance x from the head of the half-edge `side`.
-  struct Crossing {
+  struct EdgePoint {
     Index side;
     double x;
-    double step;  ///< distance from the previous crossing, or from the end
+    double step;  ///< distance from the previous one, or from the end
   };
 
   /// A vertex at the same position as the end.
   struct End {
     Index vertex;
-    Index face;    ///< shared with the previous one; kNone at the end itself
-    Index before;  ///< index of the previous one among the ends
+    Index face;      ///< shared with the previous one; kNone at the end itself
+    Index previous;  ///< index of the previous one among the ends
   };
 
   /// A piece from its root to the end.
   struct Piece {
-    Index root = kNone;                    ///< as in LastSegment; kNone: no piece was found
-    InternalPoint at = {};                 ///< position of the root
-    Index half_edge = kNone;               ///< in the face of the root and the last crossing
-    double distance = kInfinity;           ///< distance of the end by this piece
-    double before = kInfinity;             ///< distance of the root
-    double rest = 0;                       ///< length from the last crossing to the root
-    std::vector<End> ends = {};            ///< vertices that follow the end, in order
-    std::vector<Crossing> crossings = {};  ///< from the last of them on
+    Index root = kNone;                       ///< as in LastSegment; kNone: no piece was found
+    InternalPoint at = {};                    ///< position of the root
+    Index half_edge = kNone;                  ///< in the face of the root and the last edge point
+    double distance = kInfinity;              ///< distance of the end by this piece
+    double root_distance = kInfinity;         ///< from the sources
+    double rest = 0;                          ///< length from the last edge point to the root
+    std::vector<End> ends = {};               ///< vertices that follow the end, in order
+    std::vector<EdgePoint> edge_points = {};  ///< from the last of them on
   };
 
   /// @param distance the distance of the end or an upper bound; finite
@@ -77,7 +77,7 @@ class PathSearch {
     Point2 eye;  ///< the end; y <= 0
     double begin, end;
     Index side;    ///< the half-edge in the previous face by which lines leave it
-    Index before;  ///< index in `views_` of the view that this one is seen through; or kNone
+    Index parent;  ///< index in `views_` of the view that this one is seen through; or kNone
     Index first;   ///< index in `ends_` of the vertex at the eye; kNone in a face
   };
 
@@ -90,17 +90,17 @@ class PathSearch {
     Index view = kNone;  ///< the last view before it; kNone: in a face of the end
     Index end = kNone;   ///< as View::first
     double distance = kInfinity;
-    double before = kInfinity;  ///< distance of the root itself
+    double root_distance = kInfinity;  ///< from the sources
   };
 
   void look_around();
   void start_at_vertex(Index i);
-  void add_end(Index vertex, Index face, Index before);
+  void add_end(Index vertex, Index face, Index previous);
   bool is_end(Index vertex) const;
   void start(Index h, const Point2& eye, Index under, Index end);
   void look_beyond(Index view);
   /// Adds a view of the visible part of a side.
-  void see(Index side, const Point2& eye, double begin, double end, Index before, Index first);
+  void see(Index side, const Point2& eye, double begin, double end, Index parent, Index first);
   bool may_lead(const View& view) const;
   bool may_lead_to_aim(const View& view, double nearest) const;
   bool is_seen(const View& view) const;
@@ -108,7 +108,7 @@ class PathSearch {
   bool shows(const View& view, const Point2& place) const;
   void consider_vertex(Index v, const Point2& place, const Point2& eye, Root root);
   void consider_sources(const Point2& eye, Root root);
-  void consider(Root root, double before, const Point2& place, const Point2& eye);
+  void consider(Root root, double distance, const Point2& place, const Point2& eye);
   bool is_straight(const Root& root) const;
   Piece piece_from(const Root& root) const;
 

@@ -145,12 +145,12 @@ class Trace {
     for (const PathSearch::End& end : found.ends) {
       points_.add(InternalPoint(end.vertex), end.face, 0);
     }
-    for (const PathSearch::Crossing& c : found.crossings) {
-      points_.add_crossing(c.side, c.x, c.step);
+    for (const PathSearch::EdgePoint& c : found.edge_points) {
+      points_.add_edge_point(c.side, c.x, c.step);
     }
     points_.add(found.at, found.half_edge / 3, found.rest);
     // Vertices at one position have the same distance: the path must not return.
-    const bool gains = found.root >= mesh_.vertex_count() || found.before < piece.distance;
+    const bool gains = found.root >= mesh_.vertex_count() || found.root_distance < piece.distance;
     if (gains) passed_.clear();
     if (!gains && piece.end.is_vertex()) passed_.push_back(piece.end.vertex);
     return found.root;
@@ -208,7 +208,7 @@ class Trace {
       line.x = piece.side * piece.end.weights[h % 3];
       return line;
     }
-    points_.add_crossing(line.side, line.x, line.step);
+    points_.add_edge_point(line.side, line.x, line.step);
     return line;
   }
 
@@ -229,7 +229,7 @@ class Trace {
     } else {
       return std::nullopt;
     }
-    points_.add_crossing(next.side, next.x, next.step);
+    points_.add_edge_point(next.side, next.x, next.step);
     return next;
   }
 
@@ -241,15 +241,15 @@ class Trace {
   Line leave(Index h, const Point2& at, const Point2& root, const Direction& line, Side side) {
     const FaceFrame f = face_frame(mesh_, h);
     if (side == Side::own) {
-      const double t = crossing(line, at, {1, 0}, f.length);
+      const double t = meeting(line, at, {1, 0}, f.length);
       return {h, f.length - t, {f.length - root.x, -root.y}, norm(minus({t, 0}, at))};
     }
     if (side == Side::left) {
-      const double x = crossing(line, at, {f.left_x, f.left_y}, f.left);
+      const double x = meeting(line, at, {f.left_x, f.left_y}, f.left);
       const Point2 out = {x * f.left_x, x * f.left_y};
       return {Mesh::previous(h), x, f.to_left(root.x, root.y), norm(minus(out, at))};
     }
-    const double u = crossing(line, minus(at, {f.length, 0}), {-f.right_x, -f.right_y}, f.right);
+    const double u = meeting(line, minus(at, {f.length, 0}), {-f.right_x, -f.right_y}, f.right);
     const Point2 out = {f.length - u * f.right_x, -u * f.right_y};
     return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), norm(minus(out, at))};
   }
@@ -322,7 +322,7 @@ class Trace {
   /// Distance from a corner to the point where a line crosses a side of a face.
   /// @param at a point of the line, relative to the corner
   /// @param side direction from the corner, of length 1
-  double crossing(const Direction& line, const Point2& at, const Point2& side, double length) {
+  double meeting(const Direction& line, const Point2& at, const Point2& side, double length) {
     const double corner = line.across(at), along = line.across(side);
     const double from_corner = corner / along;
     if (from_corner >= 0 && from_corner <= length) return from_corner;

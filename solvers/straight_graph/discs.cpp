@@ -109,7 +109,7 @@ class Disc {
     queue_.push({std::bit_cast<std::uint64_t>(key), ++serial_, item});
   }
 
-  void reach(Index u, double distance, bool is_line, Index window = kNone) {
+  void improve(Index u, double distance, bool is_line, Index window = kNone) {
     Reached& at = reached_[u];
     if (!(distance < at.distance)) return;
     if (at.distance == kInfinity) touched_.push_back(u);
@@ -121,8 +121,8 @@ class Disc {
   void leave(Index v, bool is_centre) {
     const double distance = reached_[v].distance;
     for (const Index h : mesh_.outgoing(v)) {
-      reach(mesh_.head(h), distance + mesh_.half_edge(h).length, is_centre);
-      reach(mesh_.apex(h), distance + mesh_.half_edge(Mesh::previous(h)).length, is_centre);
+      improve(mesh_.head(h), distance + mesh_.half_edge(h).length, is_centre);
+      improve(mesh_.apex(h), distance + mesh_.half_edge(Mesh::previous(h)).length, is_centre);
     }
     for (const Index h : mesh_.outgoing(v)) {
       const HalfEdge& edge = mesh_.half_edge(Mesh::next(h));
@@ -155,9 +155,9 @@ class Disc {
     if (left && right) {
       // A line that touches a vertex begins a new one there: seen from its end it may not exist.
       const bool is_line = is_straight && !sight.at_begin() && !sight.at_end();
-      reach(mesh_.apex(h), distance_through(w, face.apex_x, face.apex_y), is_line, window);
+      improve(mesh_.apex(h), distance_through(w, face.apex_x, face.apex_y), is_line, window);
     } else if (sight.reaches()) {
-      reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y), false);
+      improve(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y), false);
     }
     for_each_child(h, face, w, sight, [&](Index side, const Window& child) {
       land(side, {child, kNone, is_straight});

@@ -29,7 +29,7 @@ void Search::run(const InternalQuery& query, std::span<double> distances, std::s
       continue;
     }
     leaving_ = source.at.vertex;
-    reach(source.at.vertex, source.distance, kAnySector);
+    improve(source.at.vertex, source.distance, kAnySector);
     if (fan_angle < angle_) leave_vertex(source, fan);
   }
   StopRule stop_rule(mesh_, query, distances);
@@ -50,11 +50,11 @@ void Search::run(const InternalQuery& query, std::span<double> distances, std::s
 
 void Search::leave_point(const InternalSource& source, Unfolder& fan) {
   const auto reach_corner = [&](Index h, const Point2& /*from*/, double distance, bool /*next*/) {
-    reach(mesh_.apex(h), source.distance + distance, kAnySector);
+    improve(mesh_.apex(h), source.distance + distance, kAnySector);
   };
   spread_from(mesh_, source.at, reach_corner, [&](Index side, const Point2& from) {
     fan.follow_from_point(side, from, [&](Index h, const Point2& apex, const Point2& /*side*/) {
-      reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
+      improve(mesh_.apex(h), source.distance + norm(apex), kAnySector);
     });
   });
 }
@@ -62,15 +62,15 @@ void Search::leave_point(const InternalSource& source, Unfolder& fan) {
 void Search::leave_vertex(const InternalSource& source, Unfolder& fan) {
   for (const Index h : mesh_.outgoing(source.at.vertex)) {
     const HalfEdge& e = mesh_.half_edge(h);
-    reach(mesh_.head(h), source.distance + e.length, kAnySector);
-    reach(mesh_.apex(h), source.distance + mesh_.half_edge(Mesh::previous(h)).length, kAnySector);
+    improve(mesh_.head(h), source.distance + e.length, kAnySector);
+    improve(mesh_.apex(h), source.distance + mesh_.half_edge(Mesh::previous(h)).length, kAnySector);
     fan.follow_from_vertex(h, [&](Index entered, const Point2& apex, const Point2& /*side*/) {
-      reach(mesh_.apex(entered), source.distance + norm(apex), kAnySector);
+      improve(mesh_.apex(entered), source.distance + norm(apex), kAnySector);
     });
   }
 }
 
-void Search::improve(Index v, double distance, unsigned sector) {
+void Search::set_label(Index v, double distance, unsigned sector) {
   const Label old(labels_[v]), label(distance, sector);
   // Edges without length form circles: an equal distance is no reason to go round again.
   if (!(distance < old.distance())) return;
@@ -100,7 +100,7 @@ void Search::leave(Index v) {
   const Block& block = graph_.block(v);
   const auto scan = [&](std::span<const Link> links) {
     for (const Link& link : links) {
-      reach(link.target(), label.distance() + link.length(), link.sector());
+      improve(link.target(), label.distance() + link.length(), link.sector());
     }
   };
   scan(block.edges());

@@ -52,10 +52,10 @@ class Search {
   void leave_point(const InternalSource& source, Unfolder& fan);
   /// The same from a vertex.
   void leave_vertex(const InternalSource& source, Unfolder& fan);
-  void reach(Index v, double distance, unsigned sector) {
-    if (distance < labels_[v]) improve(v, distance, sector);
+  void improve(Index v, double distance, unsigned sector) {
+    if (distance < labels_[v]) set_label(v, distance, sector);
   }
-  void improve(Index v, double distance, unsigned sector);
+  void set_label(Index v, double distance, unsigned sector);
   void prefetch(const std::vector<Index>& bucket, std::size_t at) const;
   void leave(Index v);
 

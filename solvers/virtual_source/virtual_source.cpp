@@ -63,7 +63,7 @@ class VirtualSource final : public Solver {
     source_.resize(start.vertices.size() > 1 ? mesh().vertex_count() : 0);
     for (const StartVertex& each : start.vertices) {
       const Wave wave = {each.distance, each.vertex};
-      reach(each.vertex, each.distance, wave);
+      improve(each.vertex, each.distance, wave);
       follow_lines(each.vertex, wave);
     }
     StopRule stop_rule(mesh(), start.query, distances);
@@ -109,7 +109,7 @@ class VirtualSource final : public Solver {
     const FaceFrame face = face_frame(mesh(), h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
     if (sight.reaches()) {
-      reach(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), wave);
+      improve(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), wave);
     }
     for_each_child(h, face, w, sight, [&](Index side, const Window& child) { land(side, child); });
   }
@@ -123,12 +123,12 @@ class VirtualSource final : public Solver {
       const Index into = Mesh::previous(h);
       const Index head = mesh().head(h), apex = mesh().origin(into);
       if (distances_[head] > d) {
-        reach(head, d + mesh().half_edge(h).length, wave);
+        improve(head, d + mesh().half_edge(h).length, wave);
       } else if (crosses) {
         cross(h, v, head, apex);
       }
       if (distances_[apex] > d) {
-        if (mesh().is_last_of_fan(h)) reach(apex, d + mesh().half_edge(into).length, wave);
+        if (mesh().is_last_of_fan(h)) improve(apex, d + mesh().half_edge(into).length, wave);
       } else if (crosses) {
         cross(into, apex, v, head);
       }
@@ -152,17 +152,17 @@ class VirtualSource final : public Solver {
     const double x = ((from_a - from_b) * (from_a + from_b) / length + length) / 2;
     const double y = std::sqrt(std::max(from_a * from_a - x * x, 0.0));
     const double height = edge.apex_y + y;
-    // The line meets the edge at crossing / height. Both comparisons are false for a NaN, which an
+    // The line meets the edge at meeting / height. Both comparisons are false for a NaN, which an
     // edge of length 0 causes.
-    const double crossing = x * edge.apex_y + edge.apex_x * y;
+    const double meeting = x * edge.apex_y + edge.apex_x * y;
     const double slack = (is_between ? kSourceSlackBetween : kSourceSlack) * length * height;
-    if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
+    if (height > 0 && meeting >= -slack && meeting <= length * height + slack) {
       const double dx = edge.apex_x - x;
-      reach(apex, sigma + std::sqrt(dx * dx + height * height), {sigma, source_of(a)});
+      improve(apex, sigma + std::sqrt(dx * dx + height * height), {sigma, source_of(a)});
     }
   }
 
-  void reach(Index v, double distance, const Wave& wave) {
+  void improve(Index v, double distance, const Wave& wave) {
     if (!(distance < distances_[v] * (1 - kSourceGain))) return;
     distances_[v] = distance;
     sigma_[v] = wave.sigma;

@@ -32,20 +32,20 @@ TEST(Progress, EndsAtOneWhenEveryVertexWithAPathIsReached) {
   const Mesh mesh = strip(10);
   Progress progress = started(mesh, {0});
   EXPECT_EQ(progress.share(), 0);
-  for (int i = 0; i < 5; ++i) progress.reach(kInfinity);
+  for (int i = 0; i < 5; ++i) progress.improved(kInfinity);
   EXPECT_EQ(progress.share(), 0.5);
-  for (int i = 0; i < 5; ++i) progress.reach(kInfinity);
+  for (int i = 0; i < 5; ++i) progress.improved(kInfinity);
   EXPECT_EQ(progress.reached(), 10u);
   EXPECT_EQ(progress.share(), 1);
   Progress with_isolated = started(mesh, {3, 17});
-  for (int i = 0; i < 11; ++i) with_isolated.reach(kInfinity);
+  for (int i = 0; i < 11; ++i) with_isolated.improved(kInfinity);
   EXPECT_EQ(with_isolated.share(), 1);
 }
 
 TEST(Progress, MakesNoProgressByReachingAVertexAgain) {
   Progress progress = started(strip(4), {0});
-  progress.reach(kInfinity);
-  progress.reach(3.0);
+  progress.improved(kInfinity);
+  progress.improved(3.0);
   EXPECT_EQ(progress.reached(), 1u);
 }
 
@@ -53,7 +53,7 @@ TEST(Progress, MakesEqualSteps) {
   Progress progress = started(strip(6400), {0});
   std::vector<Index> steps;
   for (int i = 0; i < 6400; ++i) {
-    progress.reach(kInfinity);
+    progress.improved(kInfinity);
     if (progress.made_step()) steps.push_back(progress.reached());
   }
   ASSERT_EQ(steps.size(), Progress::kSteps);
@@ -64,12 +64,12 @@ TEST(Progress, MakesEqualSteps) {
 TEST(Progress, TellsOfSeveralStepsAtOnceOnce) {
   Progress progress = started(strip(640), {0});
   EXPECT_FALSE(progress.made_step());
-  for (int i = 0; i < 35; ++i) progress.reach(kInfinity);
+  for (int i = 0; i < 35; ++i) progress.improved(kInfinity);
   EXPECT_TRUE(progress.made_step());
   EXPECT_FALSE(progress.made_step());
-  for (int i = 0; i < 4; ++i) progress.reach(kInfinity);
+  for (int i = 0; i < 4; ++i) progress.improved(kInfinity);
   EXPECT_FALSE(progress.made_step());
-  progress.reach(kInfinity);
+  progress.improved(kInfinity);
   EXPECT_TRUE(progress.made_step()) << "at 40, the fourth step";
 }
 

@@ -80,7 +80,7 @@ struct MinimalByKey {
 template double
 edge_based::Wavefront<edge_based::ListCrossing, MinimalVertexQueue, CountingRecorder>::first_key();
 template class mmp::Propagation<MinimalByKey, CountingRecorder>;
-template class mmp::Wavefront<MinimalWindowQueueByKey, CountingRecorder>;
+template class mmp::WindowsOfEdges<MinimalWindowQueueByKey, CountingRecorder>;
 template class chen_han::Propagation<Minimal, StripDepth, CountingRecorder>;
 
 namespace {

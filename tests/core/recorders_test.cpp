@@ -30,14 +30,14 @@ consteval bool records() {
   recorder.valid(1);
   recorder.reinserted(1);
   recorder.arrived(0, {0, 0, {0, 0}});
-  recorder.crossing(0, Window{}, 0);
+  recorder.crosses(0, Window{}, 0);
   NoRecorder::Count count = 3;
   recorder.wavefront_size(++count);
   recorder.wavefront_size(--count);
   recorder.wavefront_size(count += 2);
   NoRecorder::Progress progress;
   progress.start(any_mesh, any_start);
-  progress.reach(kInfinity);
+  progress.improved(kInfinity);
   recorder.sample(progress, [](const auto&) { throw "it visits windows"; });
   return progress.made_step();
 }

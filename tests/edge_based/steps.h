@@ -38,7 +38,7 @@ inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
   }
   bits.push_back(steps.winner.window);
   bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.distance));
-  bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.crossing));
+  bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.position));
   for (const auto* list :
        {&steps.trimmed, &steps.to_left, &steps.to_right, &steps.odd_to_left, &steps.odd_to_right}) {
     const std::vector<std::uint64_t> more = bits_of(*list);

@@ -169,7 +169,7 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
     if (side_seen(best, face) != Side::both) continue;
     const ApexWinner winner{.window = 0,
                             .distance = distance_through(best, face.apex_x, face.apex_y),
-                            .crossing = crossing(best, face)};
+                            .position = apex_line_in(best, face)};
     if (seen == Side::both && distance_through(w, face.apex_x, face.apex_y) < winner.distance) {
       continue;  // w itself gives the separating path
     }
@@ -191,7 +191,7 @@ TEST(SidesKept, keeps_both_sides_of_a_tie) {
   const Window left{0, 0.5, 0.25, -1, 0}, right{0.5, 1, 0.75, -1, 0};
   const ApexWinner winner{.window = 0,
                           .distance = distance_through(left, face.apex_x, face.apex_y),
-                          .crossing = crossing(left, face)};
+                          .position = apex_line_in(left, face)};
   EXPECT_EQ(sides_kept(right, Side::both, winner, left, face, 0), Side::both);
 }
 

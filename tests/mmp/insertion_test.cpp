@@ -4,7 +4,7 @@
 #include <random>
 
 #include "solvers/core/queues/calendar_queue.h"
-#include "solvers/mmp/wavefront.h"
+#include "solvers/mmp/windows_of_edges.h"
 
 namespace geodesic::mmp {
 namespace {
@@ -16,8 +16,8 @@ class Edge {
 
   /// @return the edge's windows afterwards
   const std::vector<Window>& lay(const Window& w) {
-    wavefront_.insert(0, length_, {w, kNone, State::waits, {}});
-    wavefront_.copy_windows(0, windows_);
+    edges_.insert(0, length_, {w, kNone, State::waits, {}});
+    edges_.copy_windows(0, windows_);
     return windows_;
   }
 
@@ -36,7 +36,7 @@ class Edge {
 
   double length_;
   NoRecorder recorder_;
-  Wavefront<Queue, NoRecorder> wavefront_{1, Queue({.width = 1, .count = 8}), recorder_};
+  WindowsOfEdges<Queue, NoRecorder> edges_{1, Queue({.width = 1, .count = 8}), recorder_};
   std::vector<Window> windows_;
 };
 

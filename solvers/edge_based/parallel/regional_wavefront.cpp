@@ -185,7 +185,7 @@ class RegionalWavefront::RegionAtWork {
       for (const Mail::Distance& news : mail.distances) {
         if (!(news.distance < distances_[news.vertex])) continue;
         known_[news.vertex - region_.first_shared] = news.distance;
-        wavefront_.reach(news.vertex, news.distance);
+        wavefront_.set_distance(news.vertex, news.distance);
         if (news.always_emits) wavefront_.set_always_emits(news.vertex);
       }
       const double* numbers = mail.numbers.data();

@@ -19,7 +19,7 @@ struct Passed {
 };
 
 /// Time at which the wave from one point reaches the corner.
-double last_segment(Point2 corner, const Passed& point) {
+double arrival_time(Point2 corner, const Passed& point) {
   const double dx = point.at.x - corner.x, dy = point.at.y - corner.y;
   return point.time + std::sqrt(dx * dx + dy * dy);
 }
@@ -27,9 +27,9 @@ double last_segment(Point2 corner, const Passed& point) {
 /// Time at which the wave from two points reaches it: the quadratic equation of section 4.1. With a
 /// the earlier point, u the time between the two, and t the time from a to the corner, the wave's
 /// direction lies within the corner if it is upwind of both.
-double last_segment(Point2 corner, Passed a, Passed b) {
+double arrival_time(Point2 corner, Passed a, Passed b) {
   if (b.time < a.time) std::swap(a, b);
-  const double along_an_edge = std::min(last_segment(corner, a), last_segment(corner, b));
+  const double along_an_edge = std::min(arrival_time(corner, a), arrival_time(corner, b));
   const double ax = a.at.x - corner.x, ay = a.at.y - corner.y;
   const double bx = b.at.x - corner.x, by = b.at.y - corner.y;
   const double product = ax * bx + ay * by, a2 = ax * ax + ay * ay, b2 = bx * bx + by * by;
@@ -55,7 +55,7 @@ class FastMarching final : public Solver {
     distances_ = distances;
     std::ranges::fill(accepted_, std::uint8_t{0});
     front_.clear();
-    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    for (const StartVertex& each : start.vertices) improve(each.vertex, each.distance);
     while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index v = front_.pop();
       accepted_[v] = 1;
@@ -67,7 +67,7 @@ class FastMarching final : public Solver {
     }
   }
 
-  void reach(Index v, double distance) {
+  void improve(Index v, double distance) {
     if (!(distance < distances_[v])) return;
     distances_[v] = distance;
     front_.push_or_decrease(v, distance);
@@ -86,9 +86,10 @@ class FastMarching final : public Solver {
     const Passed origin = passed(e.origin, {0, 0}), head = passed(mesh().head(h), {e.length, 0});
     if (const Splitter* splitter = splitters_.of_corner(h)) {
       const Passed middle = passed(splitter->vertex, splitter->at);
-      reach(v, std::min(last_segment(corner, origin, middle), last_segment(corner, middle, head)));
+      improve(v,
+              std::min(arrival_time(corner, origin, middle), arrival_time(corner, middle, head)));
     } else {
-      reach(v, last_segment(corner, origin, head));
+      improve(v, arrival_time(corner, origin, head));
     }
   }
 

@@ -78,7 +78,7 @@ class Steiner final : public Solver {
   void run(const Start& start, std::span<double> distances) override {
     std::ranges::fill(distances_, kInfinity);
     front_.clear();
-    for (const StartVertex& each : start.vertices) reach(each.vertex, each.distance);
+    for (const StartVertex& each : start.vertices) improve(each.vertex, each.distance);
     while (!front_.empty() && front_.least_key() <= start.query.limit) {
       const Index node = front_.pop();
       if (nodes_.is_vertex(node)) {
@@ -90,7 +90,7 @@ class Steiner final : public Solver {
     std::copy_n(distances_.begin(), distances.size(), distances.begin());
   }
 
-  void reach(Index node, double d) {
+  void improve(Index node, double d) {
     if (!(d < distances_[node])) return;
     distances_[node] = d;
     front_.push_or_decrease(node, d);
@@ -102,11 +102,11 @@ class Steiner final : public Solver {
       // Both edges of the corner, because a boundary edge leaves v in one face only.
       const Index into = Mesh::previous(h);
       const double length = mesh().half_edge(h).length, length_into = mesh().half_edge(into).length;
-      reach(mesh().head(h), d + length);
-      reach(mesh().origin(into), d + length_into);
+      improve(mesh().head(h), d + length);
+      improve(mesh().origin(into), d + length_into);
       if (nodes_.points() == 0) continue;
-      reach(nodes_.on(mesh(), h, 1), d + length * step);
-      reach(nodes_.on(mesh(), into, nodes_.points()), d + length_into * step);
+      improve(nodes_.on(mesh(), h, 1), d + length * step);
+      improve(nodes_.on(mesh(), into, nodes_.points()), d + length_into * step);
       reach_next_edge(h, {0, 0}, d);
     }
   }
@@ -119,13 +119,14 @@ class Steiner final : public Solver {
       const HalfEdge& e = mesh().half_edge(h);
       const double d = distances_[point], t = e.length * nodes_.share(from_origin);
       // The neighbour on the edge towards the head; the twin reaches the other one.
-      reach(from_origin == nodes_.points() ? mesh().head(h) : nodes_.on(mesh(), h, from_origin + 1),
-            d + e.length * nodes_.share(1));
+      improve(
+          from_origin == nodes_.points() ? mesh().head(h) : nodes_.on(mesh(), h, from_origin + 1),
+          d + e.length * nodes_.share(1));
       if (mesh().twin(h) == kNone) {
-        reach(from_origin == 1 ? e.origin : nodes_.on(mesh(), h, from_origin - 1),
-              d + e.length * nodes_.share(1));
+        improve(from_origin == 1 ? e.origin : nodes_.on(mesh(), h, from_origin - 1),
+                d + e.length * nodes_.share(1));
       }
-      reach(mesh().apex(h), d + distance({e.apex_x, e.apex_y}, {t, 0}));
+      improve(mesh().apex(h), d + distance({e.apex_x, e.apex_y}, {t, 0}));
       reach_next_edge(h, {t, 0}, d);
       reach_previous_edge(h, {t, 0}, d);
     }
@@ -146,7 +147,7 @@ class Steiner final : public Solver {
     for (Index step = 1; step <= nodes_.points(); ++step) {
       const double share = nodes_.share(step);
       const Point2 to{begin.x + (end.x - begin.x) * share, begin.y + (end.y - begin.y) * share};
-      reach(nodes_.on(mesh(), edge, step), d + distance(from, to));
+      improve(nodes_.on(mesh(), edge, step), d + distance(from, to));
     }
   }
 

@@ -39,7 +39,7 @@ class Unfolding final : public Solver {
     windows_.clear();
     budget_.start();
     for (const auto& [v, distance, always_emits, last_segment] : start.vertices) {
-      reach(v, distance, last_segment, always_emits);
+      improve(v, distance, last_segment, always_emits);
     }
     for (const auto& [side, window, root] : start.windows) land(side, root, 0, window);
     while (!sources_.empty() || !windows_.empty()) {
@@ -66,7 +66,7 @@ class Unfolding final : public Solver {
 
   /// Updates v with a path of this length.
   /// @param sends_out makes v a source even if it is not a pseudo-source
-  void reach(Index v, double distance, const LastSegment& last_segment, bool sends_out = false) {
+  void improve(Index v, double distance, const LastSegment& last_segment, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
     // If a path is shorter by rounding only, the recorded segment is kept.
     if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, last_segment);
@@ -80,10 +80,10 @@ class Unfolding final : public Solver {
     for (const Index h : mesh().outgoing(v)) {
       const Index far = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh().half_edge(h).length, in = mesh().half_edge(into).length;
-      reach(mesh().head(h), source.distance + out, {into, v, {in, 0}},
-            is_next_to_apex(mesh().half_edge(into), out));
-      reach(mesh().apex(h), source.distance + in, {h, v, {0, 0}},
-            is_next_to_apex(mesh().half_edge(h), in));
+      improve(mesh().head(h), source.distance + out, {into, v, {in, 0}},
+              is_next_to_apex(mesh().half_edge(into), out));
+      improve(mesh().apex(h), source.distance + in, {h, v, {0, 0}},
+              is_next_to_apex(mesh().half_edge(h), in));
       const HalfEdge& edge = mesh().half_edge(far);
       const Point2 from = apex_from_beyond(edge);
       land(far, v, 0, {0, edge.length, from.x, from.y, source.distance});
@@ -111,12 +111,12 @@ class Unfolding final : public Solver {
   void cross_face(const Waiting& waiting) {
     const Index h = waiting.half_edge, root = waiting.root;
     const Window& w = waiting.window;
-    if (paths_) paths_->crossing(h, w, root);
+    if (paths_) paths_->crosses(h, w, root);
     const FaceFrame face = face_frame(mesh(), h);
     const Point2 apex = {face.apex_x, face.apex_y};
     const WindowSight sight(w, apex);
     if (sight.reaches()) {
-      reach(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
+      improve(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
     }
     for_each_child(h, face, w, sight, [&](Index side, const Window& child) {
       land(side, root, waiting.faces + 1, child);

@@ -29,7 +29,7 @@ namespace geodesic::mmp {
 
 /// @tparam Queue queue of numbers of windows
 template <class Queue, class Recorder>
-class Wavefront {
+class WindowsOfEdges {
   static_assert(WindowQueueByKey<Queue>,
                 "the policy's Queue lacks a member of WindowQueueByKey (core/queues/concepts.h)");
 
@@ -38,7 +38,7 @@ class Wavefront {
   using W = EdgeWindow<Origin>;
 
   /// @param recorder must outlive this
-  Wavefront(Index half_edges, Queue queue, Recorder& recorder)
+  WindowsOfEdges(Index half_edges, Queue queue, Recorder& recorder)
       : lists_(half_edges), queue_(std::move(queue)), recorder_(recorder) {
     start(kInfinity);
   }
@@ -69,7 +69,7 @@ class Wavefront {
   }
 
   /// Takes the next window or pseudo-source. One that waits is to be propagated now; one in
-  /// another state, a vertex excepted, has been dealt with. The wavefront must not be empty.
+  /// another state, a vertex excepted, has been dealt with. The queue must not be empty.
   W take(const Mesh& mesh) {
     const auto timed = recorder_.enter(Phase::queue);
     const Index number = queue_.pop();
