@@ -51,6 +51,8 @@ Options:
   --peers all|A,B      also these public codes: built by peers, measured by run
   --meshes A,B         only these meshes of the corpus
   --sources N          source vertices of each mesh
+  --further-sources N  random vertices that each solver then solves from, one after the other
+  --path-targets N     vertices to measure paths to, of solvers that have paths
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
   --folder DIR         every mesh file in this folder and below it, in place of a corpus; meshes that
@@ -108,7 +110,10 @@ take_word() {
     --peers) take_value "$@"; peers=$value ;;
     --solvers) take_value "$@"; solvers=$value ;;
     --meshes) take_value "$@"; meshes=$value ;;
-    --sources | --repetitions) take_number "$@"; run_options+=("$1" "$value") ;;
+    --sources | --further-sources | --path-targets | --repetitions)
+      take_number "$@"
+      run_options+=("$1" "$value")
+      ;;
     --out) take_value "$@"; out=$(absolute "$value") ;;
     --run) take_value "$@"; old_run=$(absolute "$value") ;;
     --resume) take_value "$@"; resumed=$(absolute "$value") ;;
