@@ -200,7 +200,7 @@ std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& sour
 
 bool has_further_sources(const Cell& cell) {
   return !cell.mesh->further_sources.empty() && cell.is_first_repetition() &&
-         cell.source->name == cell.mesh->run_sources.front().name;
+         cell.is_of_first_source();
 }
 
 std::filesystem::path further_sources_file(const PlannedMesh& mesh) {
@@ -283,7 +283,7 @@ bool leaves_recordings(const Cell& cell, Recordings choice) {
   if (!cell.is_first_repetition()) return false;
   if (choice != Recordings::automatic) return choice == Recordings::all;
   const PlannedMesh& mesh = *cell.mesh;
-  return cell.source->name == mesh.run_sources.front().name && mesh.vertices >= kLeastRecorded &&
+  return cell.is_of_first_source() && mesh.vertices >= kLeastRecorded &&
          mesh.vertices <= kMostRecorded;
 }
 

@@ -49,6 +49,8 @@ struct Cell {
   /// "<solver>/<mesh>/src:<source>"
   std::string name() const;
   bool is_first_repetition() const { return repetition <= 0; }
+  /// Whether its source is the first one of its mesh in the whole run.
+  bool is_of_first_source() const { return source->name == mesh->run_sources.front().name; }
   /// Why the solver does not support the mesh and source; null when it does.
   const std::string* unsupported() const;
 };

@@ -281,17 +281,16 @@ void warn_of_names(const Plan& plan, const fs::path& manifest) {
   }
 }
 
-void write_source_sets(const Plan& plan, const fs::path& folder) {
+void write_sources(const Plan& plan, const fs::path& folder) {
+  const auto write = [&](const fs::path& file, const std::vector<Index>& vertices) {
+    make_folder((folder / file).parent_path());
+    write_source_vertices(folder / file, vertices);
+  };
   for (const PlannedMesh& mesh : plan.meshes) {
     for (const SourceSet& source : mesh.sources) {
-      if (source.is_single()) continue;
-      make_folder(folder / "sources");
-      write_source_vertices(folder / source_file(mesh, source), source.vertices);
+      if (!source.is_single()) write(source_file(mesh, source), source.vertices);
     }
-    if (!mesh.further_sources.empty()) {
-      make_folder(folder / "sources");
-      write_source_vertices(folder / further_sources_file(mesh), mesh.further_sources);
-    }
+    if (!mesh.further_sources.empty()) write(further_sources_file(mesh), mesh.further_sources);
   }
 }
 
@@ -321,7 +320,7 @@ RunResult run(RunRequest request) {
   const SavedRequest saved = identify(request, plan);
   save_request(saved, folder->path());
   folder->make_subfolders();
-  write_source_sets(plan, folder->path());
+  write_sources(plan, folder->path());
 
   const InterruptionGuard guard;
   plan.programs = measured_programs(request.programs, folder->path());

@@ -133,9 +133,9 @@ class LocalReference {
   std::shared_ptr<const BruteForce> brute_force_;  // null until it is needed
 };
 
-/// Writes distances for another process: raw doubles of this machine, one per vertex. The file is
-/// written completely or not at all. @throws HarnessError
+/// Writes distances for another process: raw doubles of this machine, one per vertex.
 void write_distances(std::ostream& to, std::span<const double> distances);
+/// The same into a file, which is written completely or not at all. @throws HarnessError
 void write_distances(const std::filesystem::path& file, std::span<const double> distances);
 
 /// @throws HarnessError when the file does not hold `vertices` distances

@@ -97,7 +97,6 @@ class Wavefront {
   /// From now on v sends windows even if no path bends there.
   void set_always_emits(Index v) { always_emits_[v] = true; }
 
-  const Mesh& mesh() const { return mesh_; }
   Recorder& recorder() { return recorder_; }
   Crossing& crossing() { return crossing_; }
 

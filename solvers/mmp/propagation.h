@@ -86,14 +86,15 @@ class Propagation {
     if (stops_) edges_.keep_sorted();
     stop_rule_ = StopRule(mesh_, start.query, distances_);
     for (const auto& [v, distance, always_emits, last] : start.vertices) {
-      start_at(v, distance, always_emits, last);
+      improve(v, distance, always_emits, last);
     }
     for (const StartWindow& each : start.windows) begin_across(each);
     if (keep_ == Keep::for_readers) begin_along_edges(start.query);
   }
 
-  /// Reaches v, and makes it send out windows whether it is a pseudo-source or not.
-  void start_at(Index v, double distance, bool always_emits, LastSegment last_segment) {
+  /// Gives v the distance of a path, if that is shorter.
+  /// @param always_emits makes v send out windows even if it is no pseudo-source
+  void improve(Index v, double distance, bool always_emits, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
     recorder_.arrived(v, last_segment);
@@ -131,15 +132,11 @@ class Propagation {
     distances_[v] = distance;
   }
 
-  void improve(Index v, double distance, LastSegment last_segment) {
-    start_at(v, distance, false, last_segment);
-  }
-
   /// Reaches the apex of h along an edge from a vertex that emits.
   void improve_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
-    start_at(mesh_.apex(h), distance + edge, is_next_to_apex(mesh_.half_edge(h), edge),
-             last_segment);
+    improve(mesh_.apex(h), distance + edge, is_next_to_apex(mesh_.half_edge(h), edge),
+            last_segment);
   }
 
   /// False when v has already sent out windows of its distance, up to rounding.
@@ -222,7 +219,7 @@ class Propagation {
     const WindowSight sight(w, {e.apex_x, e.apex_y});
     const bool left = sight.left(), right = sight.right();
     if (sight.reaches()) [[unlikely]] {
-      improve(mesh_.apex(h), least_distance_to(w, e.apex_x, e.apex_y),
+      improve(mesh_.apex(h), least_distance_to(w, e.apex_x, e.apex_y), false,
               {h, origin.root, {w.x, w.y}});
     }
     if (left && right) [[unlikely]] {
