@@ -10,10 +10,9 @@
 
 #include "solvers/core/geometry.h"
 #include "solvers/core/prefetch.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic::chen_han {
-
-enum class Children { left, right, both };
 
 class Corners {
  public:
@@ -22,20 +21,21 @@ class Corners {
 
   void clear() { owners_.assign(owners_.size(), {}); }
 
-  /// Returns the children of a window of half-edge h whose line to the apex has length `distance`
-  /// and crosses the edge at `position`. Makes the window the owner of the corner if it is the
-  /// nearest so far. Lines that cross the edge less than `resolution` apart have no side:
-  /// coincident vertices send out windows from one point that see different parts of the edge.
-  /// `resolution` must be small: if lines pass a source near a corner over faces 10^4 times as long
-  /// as wide, so many of them cross within 10^-6 of the edge that nothing bounds the windows.
-  Children claim(Index h, double distance, double position, double resolution) {
+  /// Returns the sides of the apex on which a window of half-edge h has children. Its line to the
+  /// apex has length `distance` and crosses the edge at `position`. Makes the window the owner of
+  /// the corner if it is the nearest so far. Lines that cross the edge less than `resolution` apart
+  /// have no side: coincident vertices send out windows from one point that see different parts of
+  /// the edge. `resolution` must be small: if lines pass a source near a corner over faces 10^4
+  /// times as long as wide, so many of them cross within 10^-6 of the edge that nothing bounds the
+  /// windows.
+  Sides claim(Index h, double distance, double position, double resolution) {
     Owner& owner = owners_[h];
     if (distance < owner.distance) {
       owner = {distance, position};
-      return Children::both;
+      return {true, true};
     }
-    if (position < owner.position - resolution) return Children::left;
-    return position > owner.position + resolution ? Children::right : Children::both;
+    return sides_not_crossing({true, true}, position - resolution, position + resolution,
+                              owner.position);
   }
 
   /// Starts to load the owner of a corner.

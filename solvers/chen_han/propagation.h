@@ -283,30 +283,25 @@ class Propagation {
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
-    bool left = sight.left(), right = sight.right();
-    if (left && right) {
+    Sides to = sight.sides();
+    if (to.left && to.right) {
       const double distance = distance_through(w, face.apex_x, face.apex_y);
       improve_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
       // A window that ends at the apex keeps its child: its neighbour may be the owner.
       if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
-        const Children children =
-            corners_.claim(h, distance, apex_line_position(w, face), kApexTolerance * face.length);
-        left = children != Children::right;
-        right = children != Children::left;
+        to = corners_.claim(h, distance, apex_line_position(w, face), kApexTolerance * face.length);
       }
     } else if (sight.reaches()) {
       const double bend = sight.left() ? w.end : w.begin;  // the apex lies beyond this end
-      const double rest = face.apex_x - bend;
-      improve_apex(h, face,
-                   distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
-                   {bend, 0}, {h, w.root, {w.x, w.y}});
+      improve_apex(h, face, distance_over(w, bend, face.apex_x, face.apex_y), {bend, 0},
+                   {h, w.root, {w.x, w.y}});
     }
-    if (left) {
+    if (to.left) {
       offer(w, to_left, face.left_child(w, sight.right()), Entry::at_origin,
             face.to_left(face.length, 0), mesh_.origin(to_right));
     }
-    if (right) {
+    if (to.right) {
       offer(w, to_right, face.right_child(w, sight.left()), Entry::at_head, face.to_right(0, 0),
             mesh_.origin(h));
     }

@@ -20,25 +20,18 @@ inline constexpr double kWeightSum = 1e-15;
 /// A source is next to a corner of its face when it is nearer than this times two sides of the
 /// face. In a face of extent 1, rounding of the coordinates of a source r from the corner turns its
 /// lines by 1e-16 / r. At a distance D the lines on both sides of the corner leave a gap of up to
-/// 1e-14 D: less than kApexTolerance, by which lines may miss an apex, if D is below 10^4.
+/// 1e-14 D, far less than kApexReach.
 inline constexpr double kNextToCorner = 1e-2;
 
-/// A ray that misses the apex of a face by less than this, relative to the lengths at hand, passes
-/// through it. Bending a path by an angle t changes its length by about t^2 / 2, so the error stays
-/// below 1e-20 relative. In return, a window that ends exactly on a vertex reaches it. The change
-/// is larger where the source or the apex is far nearer to the bend than the edge is long:
-/// kApexExcess limits it.
+/// Lines that pass an apex on both sides of it less than this apart, relative to the lengths at
+/// hand, have no sides.
 inline constexpr double kApexTolerance = 1e-10;
 
-/// A path that bends at the window's end may be longer than such a ray by at most this, relative to
-/// the distance: a few units in the last place.
-inline constexpr double kApexExcess = 1e-15;
-
-/// A window whose nearest line misses the apex of a face by less than this angle, in
-/// radians, gives the apex the length of the path that bends at the window's end. That is a real
-/// path, so no value makes a distance too short. It must cover the gaps between windows that
-/// rounding opens: paths whose directions differ by an angle t differ in length by about t^2 / 2,
-/// so below t = 1e-8 it is chance which of two windows is dropped.
+/// A window reaches the apex of a face, over the end of its interval, if that end lies off the line
+/// from its source to the apex by less than this, relative to the line's length. The path that
+/// bends there is a real one, so no value makes a distance too short. It must cover the gaps
+/// between windows that rounding opens: paths whose directions differ by an angle t differ in
+/// length by about t^2 / 2, so below t = 1e-8 it is chance which of two windows is dropped.
 inline constexpr double kApexReach = 1e-6;
 
 /// A pseudo-source in the interior of an edge (the apex of a zero-area face) is moved off the edge
@@ -70,7 +63,7 @@ inline constexpr double kPathMargin = 1e-14;
 inline constexpr double kCoordinateRounding = 3e-15;
 
 /// A source is next to an edge when it is nearer than this times the rounding of coordinates. That
-/// rounding then turns its lines by more than 3e-10, three times the kApexTolerance.
+/// rounding then turns its lines by more than 3e-10.
 inline constexpr double kNextToEdge = 3e9;
 
 /// A shadow (chen_han/shadow.h) begins earlier by this angle, in radians. Paths whose lengths are

@@ -44,6 +44,11 @@ inline double distance_through(const Window& w, double px, double py) {
 /// Distance to the point at position t of the edge.
 inline double distance_at(const Window& w, double t) { return distance_through(w, t, 0.0); }
 
+/// Length of a path to (px, py) that bends at position t of the edge.
+inline double distance_over(const Window& w, double t, double px, double py) {
+  return distance_at(w, t) + norm(Point2{px - t, py});
+}
+
 /// Position on the edge where the window's distance is least.
 inline double nearest_position(const Window& w) { return std::clamp(w.x, w.begin, w.end); }
 
@@ -59,7 +64,7 @@ inline double least_distance_to(const Window& w, double px, double py) {
     const double t = w.x + (px - w.x) * (-w.y / height);
     const double bend = std::clamp(t, w.begin, w.end);
     if (bend == t) return distance_through(w, px, py);
-    return distance_at(w, bend) + norm(Point2{px - bend, py});
+    return distance_over(w, bend, px, py);
   }
   // Source and target both lie on the edge's line.
   const double bend = std::clamp(px, w.begin, w.end);

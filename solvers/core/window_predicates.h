@@ -45,34 +45,41 @@ inline double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
 }
 
+/// The sides of a point beyond the edge on which lines of a window pass. With both, a line leads to
+/// the point.
+struct Sides {
+  bool left, right;
+
+  bool operator==(const Sides&) const = default;
+};
+
 /// Position of a point beyond the edge relative to the lines of a window.
 class WindowSight {
  public:
   /// @param p in the frame of the window, p.y >= 0
   WindowSight(const Window& w, const Point2& p)
-      : p_{p.x - w.x, p.y - w.y},
-        begin_{w.begin - w.x, -w.y},
-        end_{w.end - w.x, -w.y},
-        right_of_begin_(p_.x * begin_.y - begin_.x * p_.y),
-        right_of_end_(p_.x * end_.y - end_.x * p_.y) {}
+      : from_source_{p.x - w.x, p.y - w.y},
+        right_of_begin_(right_of(w, w.begin, p.x, p.y)),
+        right_of_end_(right_of(w, w.end, p.x, p.y)) {}
 
   /// Some line passes the point on this side.
   bool left() const { return right_of_begin_ > 0; }
   bool right() const { return right_of_end_ < 0; }
-  /// The line through this end of the interval passes the point itself, within kApexReach.
-  bool at_begin() const { return is_at(begin_, right_of_begin_); }
-  bool at_end() const { return is_at(end_, right_of_end_); }
+  Sides sides() const { return {left(), right()}; }
+  /// This end of the interval lies on the line from the source to the point, within kApexReach.
+  bool at_begin() const { return is_at(right_of_begin_); }
+  bool at_end() const { return is_at(right_of_end_); }
   /// Some line passes the point itself. Other paths to it bend at an end of the interval.
   bool reaches() const { return (left() || at_begin()) && (right() || at_end()); }
 
  private:
-  bool is_at(const Point2& t, double side) const {
-    return side * side <= kApexReach * kApexReach * square(p_) * square(t);
+  bool is_at(double side) const {
+    const Point2& p = from_source_;
+    return std::abs(side) <= kApexReach * (p.x * p.x + p.y * p.y);
   }
-  static double square(const Point2& a) { return a.x * a.x + a.y * a.y; }
 
-  Point2 p_, begin_, end_;                // relative to the window's source
-  double right_of_begin_, right_of_end_;  // times two lengths
+  Point2 from_source_;  // to the point
+  double right_of_begin_, right_of_end_;
 };
 
 /// Calls land(side, child) for each child of a window that crosses a face: `side` is the half-edge
@@ -85,6 +92,22 @@ void for_each_child(Index h, const FaceFrame& face, const Window& w, const Windo
   const bool left = sight.left(), right = sight.right();
   if (left) land(Mesh::previous(h), face.left_child(w, right));
   if (right) land(Mesh::next(h), face.right_child(w, left));
+}
+
+/// Length of the window's shortest path to the apex, which its lines pass on the sides `seen`.
+inline double distance_to_apex(const Window& w, Sides seen, const FaceFrame& face) {
+  if (seen.left && seen.right) return distance_through(w, face.apex_x, face.apex_y);
+  return distance_over(w, seen.left ? w.end : w.begin, face.apex_x, face.apex_y);
+}
+
+/// One angle, two sides (Chen and Han 1990, section 3; thesis section 5.1.2). A line that begins on
+/// one side of a path to the apex and passes the apex on the other side crosses that path inside
+/// the face. It is beaten there if its window's path to the apex is longer.
+/// @param seen the sides on which lines pass the apex that begin between `begin` and `end`
+/// @param path position on the edge of a shorter path to the apex
+/// @return the sides on which some lines do not cross the path
+inline Sides sides_not_crossing(Sides seen, double begin, double end, double path) {
+  return {seen.left && !(begin >= path), seen.right && !(end <= path)};
 }
 
 /// Position where the line from the window's source to the apex crosses the line of the edge.

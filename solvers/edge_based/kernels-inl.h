@@ -310,6 +310,18 @@ void unfold_marked(const Batch& batch, const FaceFrame& face, const Marks& to_le
   right.count = static_cast<std::uint32_t>(right_count);
 }
 
+/// Puts the distances to the apex of windows that miss it, over the ends of their intervals, in
+/// place of those of lines.
+/// @param misses those windows among windows i to i + kLanes - 1
+[[gnu::cold, gnu::noinline]] inline void bend(const Batch& batch, const FaceFrame& face,
+                                              std::size_t i, unsigned misses, double* distance) {
+  for (; misses != 0; misses &= misses - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(misses));
+    const Sides seen{batch.passes_left[i + lane], batch.passes_right[i + lane]};
+    distance[lane] = distance_to_apex(batch.window(i + lane), seen, face);
+  }
+}
+
 template <Carried carried>
 ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& right) {
   constexpr unsigned kFields = fields_with(carried);
@@ -322,20 +334,24 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
   std::uint8_t* left_groups = batch.passes_left.groups();
   std::uint8_t* right_groups = batch.passes_right.groups();
   const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
-  const Vec slack = all(-kApexTolerance * face.length);
-  const Vec least_height = all(kLeastHeight);
+  const Vec reach = all(kApexReach);
   ApexWinner best;
   HWY_ALIGN double distance[kLanes];
   const std::size_t count = batch.count;
   for (std::size_t i = 0; i < count; i += kLanes) {
     const Windows w = windows_at(batch, i);
-    const Vec across = hn::Sub(apex_x, w.x), up = hn::Max(hn::Sub(apex_y, w.y), least_height);
-    const Vec position = hn::Add(w.x, hn::Mul(across, hn::Div(hn::Neg(w.y), up)));
+    // WindowSight, lane by lane. A window that misses the apex does so at one end of its interval.
+    const Vec across = hn::Sub(apex_x, w.x), up = hn::Sub(apex_y, w.y), down = hn::Neg(w.y);
+    const Vec begin = hn::Sub(w.begin, w.x), end = hn::Sub(w.end, w.x);
+    const Vec leaning = hn::Mul(across, down);
+    const Vec at_begin = hn::Mul(begin, up), at_end = hn::Mul(end, up);
     const Mask inside = hn::FirstN(kTag, count - i);
-    const Mask only_left = hn::Lt(hn::Sub(w.end, position), slack);
-    const Mask only_right = hn::Lt(hn::Sub(position, w.begin), slack);
-    const Mask to_left = hn::AndNot(only_right, inside), to_right = hn::AndNot(only_left, inside);
+    const Mask to_left = hn::And(hn::Gt(leaning, at_begin), inside);
+    const Mask to_right = hn::And(hn::Lt(leaning, at_end), inside);
     const unsigned passes_left = bits(to_left), passes_right = bits(to_right);
+    const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
+    const Vec by = hn::Sub(leaning, hn::IfThenElse(to_left, at_end, at_begin));
+    const Mask is_at = hn::Le(hn::Abs(by), hn::Mul(reach, squared));
     left_groups[i / kLanes] = static_cast<std::uint8_t>(passes_left);
     right_groups[i / kLanes] = static_cast<std::uint8_t>(passes_right);
     if (passes_left != 0) {
@@ -346,12 +362,16 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
       right_count =
           unfold_onto<RightEdge>(face, batch, i, w, to_right, to_left, right_arrays, right_count);
     }
-    unsigned straddling = passes_left & passes_right;
-    if (straddling == 0) continue;
-    const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
+    const unsigned sees = passes_left & passes_right;
+    const unsigned misses = (passes_left ^ passes_right) & bits(is_at);
+    unsigned reaching = sees | misses;
+    if (reaching == 0) continue;
     hn::Store(hn::Add(w.sigma, hn::Sqrt(squared)), kTag, distance);
-    for (; straddling != 0; straddling &= straddling - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(straddling));
+    if (misses != 0) [[unlikely]] {
+      bend(batch, face, i, misses, distance);
+    }
+    for (; reaching != 0; reaching &= reaching - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(reaching));
       const bool is_less = distance[lane] < best.distance;
       best.window = is_less ? i + lane : best.window;
       best.distance = is_less ? distance[lane] : best.distance;
@@ -360,13 +380,8 @@ ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& r
   left.count = static_cast<std::uint32_t>(left_count);
   right.count = static_cast<std::uint32_t>(right_count);
   if (best.window == SIZE_MAX) return best;
-  const Window w = batch.window(best.window);
-  best.position = apex_line_in(w, face);
-  if (best.position == w.begin || best.position == w.end) [[unlikely]] {
-    best = plain::drop_unreached_sides(batch, face);
-    unfold_marked<carried>(batch, face, batch.passes_left, batch.passes_right, left, right);
-  }
-  best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
+  best.position = apex_line_in(batch.window(best.window), face);
+  best.is_contested = find_contested(batch, best);
   return best;
 }
 

@@ -150,11 +150,10 @@ class ListCrossing {
     const std::size_t count = batch_.count;
     for (std::size_t i = batch_.contested.next(0, count); i < count;
          i = batch_.contested.next(i + 1, count)) {
-      const bool left = batch_.passes_left[i], right = batch_.passes_right[i];
-      const Side seen = left && right ? Side::both : left ? Side::left : Side::right;
-      const Side side = sides_kept(batch_.window(i), seen, winner, best, face, rounding_);
-      if (side == Side::none || side == Side::right) kept_left_.clear(i);
-      if (side == Side::none || side == Side::left) kept_right_.clear(i);
+      const Sides seen{batch_.passes_left[i], batch_.passes_right[i]};
+      const Sides kept = sides_kept(batch_.window(i), seen, winner, best, face, rounding_);
+      if (!kept.left) kept_left_.clear(i);
+      if (!kept.right) kept_right_.clear(i);
     }
   }
 

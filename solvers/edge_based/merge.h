@@ -232,22 +232,14 @@ inline Joined join(MergedWindow& first, MergedWindow& second, double length, dou
       a.end = at.from_here[0];
       b.begin = at.from_here[1];
     } else if (g_from <= margin && g_to <= margin && internal::is_to_one_side(a, b, begin, end)) {
-      if (b.begin < a.begin) {
-        if (b.end > a.end) return Joined::neither;
-        b.end = begin;
-        return is_void(b, length) ? Joined::second_gone : Joined::neither;
-      }
-      b.begin = end;
-      if (b.end <= a.end || is_void(b, length)) return Joined::second_gone;
+      internal::keep_beyond(b, begin, end, 0);
+      if (is_void(b, length)) return Joined::second_gone;
+      if (b.begin != end) return Joined::neither;
       at = {Double2{end, end}, to, end, to};
     } else if (g_from >= -margin && g_to >= -margin && internal::is_to_one_side(b, a, begin, end)) {
-      if (a.end > b.end) {
-        if (a.begin < b.begin) return Joined::neither;
-        a.begin = end;
-        return is_void(a, length) ? Joined::first_gone : Joined::neither;
-      }
-      a.end = begin;
-      if (a.begin >= b.begin || is_void(a, length)) return Joined::first_gone;
+      internal::keep_beyond(a, begin, end, 0);
+      if (is_void(a, length)) return Joined::first_gone;
+      if (a.end != begin) return Joined::neither;
       at = {Double2{begin, begin}, from, begin, from};
     } else {
       return Joined::neither;

@@ -107,15 +107,12 @@ class MergedCrossing {
   static constexpr double kCoarse = 3e-3;
   static constexpr Parameters kForCoarse = {1.4, 0.2, 0.2}, kForFine = {2, 0.3, 0.3};
 
-  /// Finds the sides on which the lines of a window pass the apex.
+  /// Finds the sides on which the lines of a window pass the apex, and the path to the apex.
   static void find_sides(Line& line, const FaceFrame& face) {
-    const double slack = kApexTolerance * face.length;
     const Window& w = line.merged.window;
-    const double up = std::max(face.apex_y - w.y, kLeastHeight);
-    const double across = (face.apex_x - w.x) * -w.y;
-    line.left = across >= (w.begin - slack - w.x) * up;
-    line.right = across <= (w.end + slack - w.x) * up;
-    if (line.left && line.right) line.to_apex = distance_through(w, face.apex_x, face.apex_y);
+    const WindowSight sight(w, {face.apex_x, face.apex_y});
+    line.seen = sight.sides();
+    line.to_apex = sight.reaches() ? distance_to_apex(w, line.seen, face) : kInfinity;
   }
 
   /// One window crosses a face: as cross_together, without the comparison of windows.
@@ -126,21 +123,21 @@ class MergedCrossing {
     find_sides(line, face);
     count(line, wavefront.recorder());
     const Index left = Mesh::previous(h), right = Mesh::next(h);
-    if (line.left && line.right) reach_apex(h, line, wavefront);
-    if (line.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
-    if (line.right && mesh_.twin(right) != kNone) go_right(right, face, line, false, wavefront);
+    reach_apex(h, line, wavefront);
+    if (line.seen.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
+    if (line.seen.right && mesh_.twin(right) != kNone)
+      go_right(right, face, line, false, wavefront);
   }
 
-  /// The windows of a list cross a face; drops those that cross the shortest line to the apex.
+  /// The windows of a list cross a face; drops those that cross the shortest path to the apex.
   template <class Wavefront>
   [[gnu::noinline]] void cross_together(Index h, Stack<Line>& lines, Wavefront& wavefront) {
     budget_.spend(lines.size());
     const FaceFrame face = face_frame(mesh_, h);
-    const Line* best = nullptr;  // with the shortest line to the apex
+    const Line* best = nullptr;  // with the shortest path to the apex
     for (Line& line : lines) {
       find_sides(line, face);
-      if (!line.left || !line.right) continue;
-      if (best == nullptr || line.to_apex < best->to_apex) best = &line;
+      if (line.to_apex < (best == nullptr ? kInfinity : best->to_apex)) best = &line;
     }
     if (best != nullptr) {
       reach_apex(h, *best, wavefront);
@@ -150,13 +147,14 @@ class MergedCrossing {
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     if (mesh_.twin(left) != kNone) {
       for (std::size_t i = lines.size(); i-- > 0;) {  // the last one must come first
-        if (lines[i].left) go_left(left, face, lines[i], i > 0 && lines[i - 1].left, wavefront);
+        if (lines[i].seen.left)
+          go_left(left, face, lines[i], i > 0 && lines[i - 1].seen.left, wavefront);
       }
     }
     if (mesh_.twin(right) != kNone) {
       for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!lines[i].right) continue;
-        go_right(right, face, lines[i], i > 0 && lines[i - 1].right, wavefront);
+        if (!lines[i].seen.right) continue;
+        go_right(right, face, lines[i], i > 0 && lines[i - 1].seen.right, wavefront);
       }
     }
   }
@@ -172,25 +170,18 @@ class MergedCrossing {
   template <class Recorder>
   static void count(const Line& line, Recorder& recorder) {
     recorder.propagated(1, StripDepth{std::uint32_t{line.strip.depth} + 1});
-    recorder.valid(line.left || line.right);
+    recorder.valid(line.seen.left || line.seen.right);
   }
 
-  /// Drops lines that cross the shortest line to the apex.
+  /// Drops lines that cross the shortest path to the apex.
   void drop_crossing(Stack<Line>& lines, const Line& best, const FaceFrame& face) const {
-    const double position = apex_line_position(best.merged.window, face);
+    const double position = apex_line_in(best.merged.window, face);
     for (Line& line : lines) {
       const Window& w = line.merged.window;
-      const bool after = w.begin >= position, before = w.end <= position;
-      if (&line == &best || (!after && !before)) continue;
-      if (line.left && line.right) {
-        if (is_shorter(best.to_apex, line.to_apex, rounding_)) {
-          (after ? line.left : line.right) = false;
-        }
-      } else if (line.left ? after : before) {
-        const Side side = line.left ? Side::left : Side::right;
-        if (is_shorter(best.to_apex, bent_distance(w, side, face), rounding_)) {
-          line.left = line.right = false;
-        }
+      const Sides kept = sides_not_crossing(line.seen, w.begin, w.end, position);
+      if (&line == &best || kept == line.seen) continue;
+      if (is_shorter(best.to_apex, distance_to_apex(w, line.seen, face), rounding_)) {
+        line.seen = kept;
       }
     }
   }
@@ -207,7 +198,7 @@ class MergedCrossing {
     const Window& w = line.merged.window;
     const Point2 from = face.to_left(w.x, w.y);
     const double begin = w.begin > 0 || !sees_ends(w, face) ? face.on_left(w, w.begin) : 0;
-    const double end = line.right ? face.left : face.on_left(w, w.end);
+    const double end = line.seen.right ? face.left : face.on_left(w, w.end);
     const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
     if (is_void(child, face.left)) return;
     land(side, child, line.merged.shortfall, strip_of(line, behind_another, false), wavefront);
@@ -218,7 +209,7 @@ class MergedCrossing {
                                        bool behind_another, Wavefront& wavefront) {
     const Window& w = line.merged.window;
     const Point2 from = face.to_right(w.x, w.y);
-    const double begin = line.left ? 0 : face.on_right(w, w.begin);
+    const double begin = line.seen.left ? 0 : face.on_right(w, w.begin);
     const bool to_head = w.end >= face.length && sees_ends(w, face);
     const double end = to_head ? face.right : face.on_right(w, w.end);
     const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};

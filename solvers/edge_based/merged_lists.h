@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "solvers/core/pool.h"
 #include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/merge.h"
 #include "solvers/edge_based/shortfalls.h"
+#include "solvers/edge_based/split.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -32,8 +33,8 @@ inline constexpr std::uint32_t kApart = 3;
 struct Line {
   MergedWindow merged;
   Strip strip;
-  double to_apex;  ///< along the line to the apex
-  bool left, right;
+  Sides seen;      ///< of the apex, by its lines
+  double to_apex;  ///< length of its path to the apex; kInfinity when it does not reach the apex
 };
 
 /// A vector that stores its size: computing it from two pointers takes a multiplication.
@@ -82,7 +83,6 @@ class MergedLists {
     shortfalls_.start(distances);
     std::ranges::fill(waiting_, Waiting{});
     nodes_.clear();
-    free_ = kNil;
     window_count_ = 0;
   }
 
@@ -103,14 +103,9 @@ class MergedLists {
 
   /// Adds a window that waits on h.
   [[gnu::always_inline]] void put(Index h, Window w, float shortfall, Strip strip) {
-    if (free_ == kNil) add_node();
-    const Index n = free_;
-    Node& node = nodes_[n];
-    free_ = node.next;
     Waiting& waiting = waiting_[h / 3];
     strip.side = h % 3 & 3;
-    node = {{w, shortfall}, strip, waiting.first};
-    waiting.first = n & kNil;
+    waiting.first = nodes_.add({{w, shortfall}, strip, waiting.first}) & kNil;
     ++window_count_;
   }
 
@@ -133,8 +128,9 @@ class MergedLists {
         waiting.sends != 0) {
       return false;
     }
-    line = {nodes_[only].merged, nodes_[only].strip, 0, false, false};
-    nodes_[only].next = std::exchange(free_, only);
+    line.merged = nodes_[only].merged;
+    line.strip = nodes_[only].strip;
+    nodes_.release(only);
     waiting.first = kNil;
     --window_count_;
     return true;
@@ -151,9 +147,8 @@ class MergedLists {
     lines_.clear();
     from_left_.clear();
     from_right_.clear();
-    // The nodes of this side become free; those of the other sides stay.
-    Index ours_first = kNil, others_first = kNil;
-    Index *ours_end = &ours_first, *others_end = &others_first;
+    Index others_first = kNil;  // those of the other sides stay
+    Index* others_end = &others_first;
     for (Index n = waiting.first; n != kNil;) {
       Node& node = nodes_[n];
       const bool ours = node.strip.side == side, from_right = node.strip.from_right;
@@ -161,20 +156,18 @@ class MergedLists {
       from_right_.push_if(ours & from_right, n);
       window_count_ -= unsigned{ours};
       recorder.created(ours);
-      *(ours ? ours_end : others_end) = n;
-      ours_end = ours ? &node.next : ours_end;
+      *others_end = n;
       others_end = ours ? others_end : &node.next;
       n = node.next;
     }
-    *ours_end = free_;
     *others_end = kNil;
-    free_ = ours_first;
     waiting.first = others_first & kNil;
     for (const Index n : from_left_) append(n, bounds);
     if (sends) {
       --window_count_;
       recorder.created(1);
       while (!from_right_.empty() && is_useless(nodes_[from_right_.back()], bounds)) {
+        nodes_.release(from_right_.back());
         from_right_.pop();
       }
       const MergedWindow sent = not_left_to_others(sent_from_below(h), bounds.length);
@@ -252,6 +245,7 @@ class MergedLists {
   void append(Index n, const EndpointBounds& bounds) {
     const Node& node = nodes_[n];
     if (!is_useless(node, bounds)) append(node.merged, node.strip, bounds.length);
+    nodes_.release(n);
   }
 
   /// Appends a window, and joins the last two as long as one remains of them.
@@ -280,19 +274,13 @@ class MergedLists {
     }
   }
 
-  [[gnu::cold, gnu::noinline]] void add_node() {
-    free_ = static_cast<Index>(nodes_.size());
-    nodes_.push_back({{}, {}, kNil});
-  }
-
   const Mesh& mesh_;
   MergeRule rule_;
   double rounding_;  // of coordinates
   std::span<const double> distances_;
   Shortfalls shortfalls_;
   std::vector<Waiting> waiting_;  // by face
-  std::vector<Node> nodes_;
-  Index free_ = kNil;  // the first of the nodes that are not in use
+  Pool<Node> nodes_;
   std::uint64_t window_count_ = 0;
   // Scratch memory for one list. In from_right_, the first window is the last item.
   Stack<Line> lines_;

@@ -63,46 +63,22 @@ inline void trim(Batch& batch, const EdgeBelow& edge) {
   }
 }
 
-/// Clears one side of windows whose line to the apex misses the interval by at most kApexTolerance
-/// and that do not see the apex all the same: next to a source or apex far nearer than the edge is
-/// long, the path round the interval's end is longer than the line by more than rounding.
-/// @return the winner among the windows that see the apex
-[[gnu::cold, gnu::noinline]] inline ApexWinner drop_unreached_sides(Batch& batch,
-                                                                    const FaceFrame& face) {
-  ApexWinner best;
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    if (!batch.passes_left[i] || !batch.passes_right[i]) continue;
-    const Window w = batch.window(i);
-    const double line = distance_through(w, face.apex_x, face.apex_y);
-    const double bent = least_distance_to(w, face.apex_x, face.apex_y);
-    if (bent - line > kApexExcess * line) {
-      (apex_line_in(w, face) == w.end ? batch.passes_right : batch.passes_left).clear(i);
-    } else if (line < best.distance) {
-      best.window = i;
-      best.distance = line;
-      best.position = apex_line_in(w, face);
-    }
-  }
-  return best;
-}
-
 // Marks have a byte for each window here, since a vector is one window.
 
-/// Marks the sides on which the lines of each window pass the apex. The line to the apex separates
-/// them; where it misses the interval by rounding only, both sides are marked.
-/// @return the window that sees the apex at the least distance, without its position
+/// Marks the sides on which the lines of each window pass the apex.
+/// @return the window that reaches the apex at the least distance, without its position
 inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
   std::uint8_t* passes_left = batch.passes_left.groups();
   std::uint8_t* passes_right = batch.passes_right.groups();
-  const double slack = kApexTolerance * face.length;
   ApexWinner best;
   for (std::size_t i = 0; i < batch.count; ++i) {
     const Window w = batch.window(i);
-    const double to_apex = apex_line_position(w, face);
-    passes_left[i] = !(to_apex - w.begin < -slack);
-    passes_right[i] = !(w.end - to_apex < -slack);
-    if ((passes_left[i] & passes_right[i]) == 0) continue;
-    const double distance = distance_through(w, face.apex_x, face.apex_y);
+    const WindowSight sight(w, {face.apex_x, face.apex_y});
+    const Sides seen = sight.sides();
+    passes_left[i] = seen.left;
+    passes_right[i] = seen.right;
+    if ((!seen.left && !seen.right) || !sight.reaches()) continue;
+    const double distance = distance_to_apex(w, seen, face);
     if (distance < best.distance) {
       best.window = i;
       best.distance = distance;
@@ -111,7 +87,7 @@ inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
   return best;
 }
 
-/// Marks the windows that Strategy II decides (sides_kept): other windows that see the apex, and
+/// Marks the windows that Strategy II decides (sides_kept): other windows of both sides, and
 /// windows that pass it on one side and start on the other side of the winner's line.
 /// @return whether there are any
 inline bool find_contested(Batch& batch, const ApexWinner& winner) {
@@ -156,13 +132,7 @@ inline void unfold_marked(const Batch& batch, const FaceFrame& face, const Marks
 
 inline ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& right) {
   ApexWinner best = classify(batch, face);
-  if (best.window != SIZE_MAX) {
-    const Window w = batch.window(best.window);
-    best.position = apex_line_in(w, face);
-    if (best.position == w.begin || best.position == w.end) [[unlikely]] {
-      best = drop_unreached_sides(batch, face);
-    }
-  }
+  if (best.window != SIZE_MAX) best.position = apex_line_in(batch.window(best.window), face);
   unfold_marked(batch, face, batch.passes_left, batch.passes_right, left, right);
   best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
   return best;

@@ -158,6 +158,16 @@ inline bool is_to_one_side(const Window& lines, const Window& of, double begin, 
          (is_left_of_line(lines, begin, of.x, of.y) && is_left_of_line(lines, end, of.x, of.y));
 }
 
+/// Leaves of a window the part beyond its overlap [begin, end] with a shorter one. A window that
+/// goes on at both ends of the overlap remains as it is.
+inline void keep_beyond(Window& loser, double begin, double end, double rounding) {
+  if (begin == loser.begin) {
+    loser.begin = std::clamp(end - kept_beyond(loser, end, rounding), loser.begin, loser.end);
+  } else if (end == loser.end) {
+    loser.end = std::clamp(begin + kept_beyond(loser, begin, rounding), loser.begin, loser.end);
+  }
+}
+
 /// Trims the windows on their overlap if neither of its ends was decided. If the winner is nowhere
 /// longer on it, the loser keeps only the part beyond it. A tie at one end is the usual case: the
 /// loser's source is a vertex on the line that bounds the winner's pencil, and the winner's shadow
@@ -178,17 +188,11 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
     first_wins = begin.first + end.first <= begin.second + end.second;
     second_wins = !first_wins;
   }
-  const auto shorten = [&](Window& loser) {
-    if (begin.t == loser.begin) {
-      const double cut = end.t - kept_beyond(loser, end.t, rounding);
-      loser.begin = std::clamp(cut, loser.begin, loser.end);
-    } else if (end.t == loser.end) {
-      const double cut = begin.t + kept_beyond(loser, begin.t, rounding);
-      loser.end = std::clamp(cut, loser.begin, loser.end);
-    }
-  };
-  if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);
-  if (second_wins && is_to_one_side(second, first, begin.t, end.t)) shorten(first);
+  if (first_wins && is_to_one_side(first, second, begin.t, end.t)) {
+    keep_beyond(second, begin.t, end.t, rounding);
+  } else if (second_wins && is_to_one_side(second, first, begin.t, end.t)) {
+    keep_beyond(first, begin.t, end.t, rounding);
+  }
 }
 
 }  // namespace internal

@@ -6,38 +6,39 @@ namespace geodesic::chen_han {
 namespace {
 
 constexpr double kResolution = 1e-6;
+constexpr Sides kLeft{true, false}, kRight{false, true}, kBoth{true, true};
 
 TEST(ChenHanCorners, TheFirstWindowAndEveryNearerOneHaveTwoChildren) {
   Corners corners(1);
-  EXPECT_EQ(corners.claim(0, 2.0, 0.5, kResolution), Children::both);
-  EXPECT_EQ(corners.claim(0, 1.5, 0.2, kResolution), Children::both);
+  EXPECT_EQ(corners.claim(0, 2.0, 0.5, kResolution), kBoth);
+  EXPECT_EQ(corners.claim(0, 1.5, 0.2, kResolution), kBoth);
 }
 
 TEST(ChenHanCorners, AFartherWindowHasTheChildOnItsOwnSide) {
   Corners corners(1);
   corners.claim(0, 1.0, 0.5, kResolution);
-  EXPECT_EQ(corners.claim(0, 2.0, 0.4, kResolution), Children::left);
-  EXPECT_EQ(corners.claim(0, 2.0, 0.6, kResolution), Children::right);
+  EXPECT_EQ(corners.claim(0, 2.0, 0.4, kResolution), kLeft);
+  EXPECT_EQ(corners.claim(0, 2.0, 0.6, kResolution), kRight);
 }
 
 TEST(ChenHanCorners, EquallyNearWindowsOnDifferentSidesDoNotDropBoth) {
   Corners corners(1);
-  EXPECT_EQ(corners.claim(0, 1.0, 0.5, kResolution), Children::both);
-  EXPECT_EQ(corners.claim(0, 1.0, 0.6, kResolution), Children::right);
+  EXPECT_EQ(corners.claim(0, 1.0, 0.5, kResolution), kBoth);
+  EXPECT_EQ(corners.claim(0, 1.0, 0.6, kResolution), kRight);
 }
 
 TEST(ChenHanCorners, WindowsAlongTheOwnersLineKeepBothChildren) {
   Corners corners(1);
   corners.claim(0, 1.0, 0.5, kResolution);
-  EXPECT_EQ(corners.claim(0, 1.0, 0.5 - 1e-16, kResolution), Children::both);
-  EXPECT_EQ(corners.claim(0, 1.0, 0.5 + 1e-16, kResolution), Children::both);
+  EXPECT_EQ(corners.claim(0, 1.0, 0.5 - 1e-16, kResolution), kBoth);
+  EXPECT_EQ(corners.claim(0, 1.0, 0.5 + 1e-16, kResolution), kBoth);
 }
 
 TEST(ChenHanCorners, ClearForgetsTheOwners) {
   Corners corners(2);
   corners.claim(1, 1.0, 0.5, kResolution);
   corners.clear();
-  EXPECT_EQ(corners.claim(1, 9.0, 0.1, kResolution), Children::both);
+  EXPECT_EQ(corners.claim(1, 9.0, 0.1, kResolution), kBoth);
 }
 
 }  // namespace

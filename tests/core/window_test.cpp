@@ -194,14 +194,26 @@ TEST(WindowSight, says_on_which_sides_of_a_point_lines_pass) {
 
 TEST(WindowSight, reaches_what_its_last_line_misses_by_less_than_the_tolerance) {
   const Window w = {.begin = 0.5, .end = 1.5, .x = 1, .y = -1, .sigma = 0};
-  // The lines through the ends pass (0, 1) and (2, 1), at an angle of atan(1/2) to the vertical.
+  // The lines through the ends pass (0, 1) and (2, 1), which lie at a distance of sqrt(5) from the
+  // source. An end is half as far off the line to a point as that point is beside them, times the
+  // cosine of atan(1/2), 2 / sqrt(5).
   for (const double off : {0.5, 2.0}) {
-    const double beside = off * kApexReach * 5 / 2;
+    const double beside = off * kApexReach * 5;
     EXPECT_EQ(WindowSight(w, {2 + beside, 1}).reaches(), off < 1);
     EXPECT_EQ(WindowSight(w, {2 + beside, 1}).at_end(), off < 1);
     EXPECT_EQ(WindowSight(w, {-beside, 1}).reaches(), off < 1);
     EXPECT_EQ(WindowSight(w, {-beside, 1}).at_begin(), off < 1);
   }
+}
+
+TEST(SidesNotCrossing, are_those_of_lines_that_begin_and_pass_on_one_side_of_the_path) {
+  constexpr Sides kLeft{true, false}, kRight{false, true}, kBoth{true, true}, kNone{false, false};
+  EXPECT_EQ(sides_not_crossing(kBoth, 0.1, 0.4, 0.5), kLeft);
+  EXPECT_EQ(sides_not_crossing(kBoth, 0.6, 0.9, 0.5), kRight);
+  EXPECT_EQ(sides_not_crossing(kBoth, 0.4, 0.6, 0.5), kBoth) << "the path crosses the interval";
+  EXPECT_EQ(sides_not_crossing(kRight, 0.1, 0.4, 0.5), kNone);
+  EXPECT_EQ(sides_not_crossing(kLeft, 0.6, 0.9, 0.5), kNone);
+  EXPECT_EQ(sides_not_crossing(kLeft, 0.1, 0.4, 0.5), kLeft);
 }
 
 TEST(WindowDistance, is_that_of_the_source_plus_sigma) {

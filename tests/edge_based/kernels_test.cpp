@@ -134,7 +134,7 @@ TEST(Trim, changes_a_list_only_if_neighbours_are_out_of_order) {
             500);  // of 2,350: `Kernels` compares instruction sets on lists that are trimmed
 }
 
-TEST(Classify, finds_the_least_distance_to_the_apex_and_who_sees_it) {
+TEST(Classify, finds_the_least_distance_to_the_apex_and_the_windows_that_see_it) {
   for_each_problem(4, [](const Problem& p, const Steps& steps) {
     double least = kInfinity;
     for (std::size_t i = 0; i < steps.gathered.size(); ++i) {
@@ -155,9 +155,7 @@ TEST(Classify, marks_all_windows_that_the_winner_may_take_lines_from) {
     const Window& best = steps.gathered[steps.winner.window];
     for (std::size_t i = 0; i < steps.gathered.size(); ++i) {
       if (i == steps.winner.window || (!steps.contested.empty() && steps.contested[i])) continue;
-      const Side seen = steps.left[i] && steps.right[i] ? Side::both
-                        : steps.left[i]                 ? Side::left
-                                                        : Side::right;
+      const Sides seen{steps.left[i], steps.right[i]};
       ASSERT_EQ(sides_kept(steps.gathered[i], seen, steps.winner, best, p.face, 0), seen) << i;
       ++decided;
     }
@@ -196,20 +194,19 @@ TEST(Unfold, gives_children_that_cover_what_their_parent_sees_and_nothing_else) 
   });
 }
 
-TEST(Unfold, stops_short_of_an_apex_that_lines_reach_only_by_rounding) {
-  // The lines miss the apex by less than kApexTolerance, but the source is far nearer to the edge:
-  // the path over the interval's end is longer than a line by more than kApexExcess.
-  const Window near_edge{0.2, 0.5 - 5e-11, 0.5, -1e-8, 0};
+TEST(Unfold, reaches_an_apex_that_lines_miss_by_rounding_over_the_end_of_the_interval) {
+  const Window beside{0.2, 0.5 - 5e-11, 0.5, -1e-3, 0};
   const FaceFrame face = face_of({0.5, 0.5});
   for (const InstructionSet set : kInstructionSets) {
     if (compiled_for(set) != set || !why_unavailable(set).empty()) continue;
-    const Steps steps = run({{near_edge}, face, 2, 2}, set);
+    const Steps steps = run({{beside}, face, 2, 2}, set);
     ASSERT_EQ(steps.gathered.size(), 1u);
-    EXPECT_EQ(steps.winner.window, SIZE_MAX);
+    EXPECT_EQ(steps.winner.window, 0u);
+    EXPECT_EQ(steps.winner.distance, distance_over(beside, beside.end, 0.5, 0.5));
+    EXPECT_EQ(steps.winner.position, beside.end);
     EXPECT_TRUE(steps.left[0] && !steps.right[0]);
     ASSERT_EQ(steps.to_left.size(), 1u);
-    EXPECT_NEAR(steps.to_left[0].end, face.on_left(near_edge, near_edge.end), 1e-14);
-    EXPECT_LT(steps.to_left[0].end, face.left - 1e-3);
+    EXPECT_EQ(steps.to_left[0].end, face.on_left(beside, beside.end));
     EXPECT_EQ(steps.to_right.size(), 0u);
   }
 }

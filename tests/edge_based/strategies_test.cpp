@@ -132,10 +132,12 @@ TEST(TrimPair, leaves_windows_of_one_source_alone) {
   }
 }
 
-Side side_seen(const Window& w, const FaceFrame& face) {
+Sides sides_seen(const Window& w, const FaceFrame& face) {
   const double t = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
-  return t < w.begin ? Side::right : t > w.end ? Side::left : Side::both;
+  return {t >= w.begin, t <= w.end};
 }
+
+constexpr Sides kBoth{true, true};
 
 /// Length of the line through t up to where it leaves the face, in units of its length to the edge.
 double to_far_edge(const Window& w, double t, const FaceFrame& f) {
@@ -165,19 +167,18 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
   for (int pair = 0; pair < 4000; ++pair) {
     const FaceFrame face = random_face(random);
     const Window best = random_window(random), w = random_window(random);
-    const Side seen = side_seen(w, face);
-    if (side_seen(best, face) != Side::both) continue;
+    const Sides seen = sides_seen(w, face);
+    if (sides_seen(best, face) != kBoth) continue;
     const ApexWinner winner{.window = 0,
                             .distance = distance_through(best, face.apex_x, face.apex_y),
                             .position = apex_line_in(best, face)};
-    if (seen == Side::both && distance_through(w, face.apex_x, face.apex_y) < winner.distance) {
+    if (seen == kBoth && distance_through(w, face.apex_x, face.apex_y) < winner.distance) {
       continue;  // w itself gives the separating path
     }
-    const Side kept = sides_kept(w, seen, winner, best, face, 0);
+    const Sides kept = sides_kept(w, seen, winner, best, face, 0);
     for (int k = 1; k < kPositions; ++k) {
       const double t = position(w.begin, w.end, k);
-      const Side to = right_of(w, t, face.apex_x, face.apex_y) > 0 ? Side::left : Side::right;
-      if (kept == Side::both || kept == to) continue;
+      if (right_of(w, t, face.apex_x, face.apex_y) > 0 ? kept.left : kept.right) continue;
       ++removed;
       ASSERT_LE(lead_of(w, t, to_far_edge(w, t, face), best), kRounding)
           << "pair " << pair << ", line through " << t;
@@ -192,7 +193,7 @@ TEST(SidesKept, keeps_both_sides_of_a_tie) {
   const ApexWinner winner{.window = 0,
                           .distance = distance_through(left, face.apex_x, face.apex_y),
                           .position = apex_line_in(left, face)};
-  EXPECT_EQ(sides_kept(right, Side::both, winner, left, face, 0), Side::both);
+  EXPECT_EQ(sides_kept(right, kBoth, winner, left, face, 0), kBoth);
 }
 
 }  // namespace
