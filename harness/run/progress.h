@@ -12,14 +12,12 @@
 
 namespace geodesic::harness {
 
-/// Estimates how long cells take: from the solvers' relative times and the sizes of the meshes,
-/// corrected by the cells that have been measured.
+/// Estimates how long cells take: by their work, the number of solves times a power of the mesh's
+/// vertices, and the pace of each solver in its last cells.
 class Forecast {
  public:
   /// @param cells must outlive it
-  /// @param solvers that can give reference distances
-  Forecast(const std::vector<Cell>& cells, const Suite& suite,
-           const std::vector<const Description*>& solvers);
+  Forecast(const std::vector<Cell>& cells, const Suite& suite);
 
   void measured(std::size_t cell, double seconds);
   /// Seconds for this cell and the cells after it.
@@ -27,20 +25,18 @@ class Forecast {
 
  private:
   struct Expected {
-    double fixed = 0;                        // seconds that do not depend on the solver
-    double solves = 0;                       // seconds at the assumed speed
-    const Description* reference = nullptr;  // null: already computed, or a closed form
-    double reference_solve = 0;              // seconds at the assumed speed
+    double least = 0;  // seconds that any solver takes
+    double work = 0;
   };
   struct Pace {
-    double seconds = 0, expected = 0;  // of solves measured so far
+    double seconds = 0, work = 0;  // of cells, less of earlier ones
   };
+  /// Seconds per unit of work; of a solver without a measured cell, the mean of the others.
   double pace_of(const Description& solver) const;
 
   const std::vector<Cell>& cells_;
-  std::vector<Expected> expected_;            // by cell
-  Pace all_;                                  // of solvers whose relative time is known
-  std::map<const Description*, Pace> paces_;  // of each solver
+  std::vector<Expected> expected_;  // by cell
+  std::map<const Description*, Pace> paces_;
 };
 
 class Progress {
