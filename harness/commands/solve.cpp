@@ -60,9 +60,7 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
             {"faces", problem.mesh.given_face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
   if (!problem.places.empty()) json["places"] = problem.places;
-  json.update(!flags.matrix.empty() ? write_matrix(problem)
-              : flags.each          ? solve_separately(problem, outputs)
-                                    : solve_jointly(problem, outputs));
+  json.update(flags.each ? solve_separately(problem, outputs) : solve_jointly(problem, outputs));
   if (outputs.distances) outputs.distances->commit();
   if (outputs.paths) outputs.paths->commit();
   return json;
@@ -182,19 +180,10 @@ void add_solve_command(CLI::App& app) {
                     "sources, -1 where no path leads");
   command->add_flag("--each", flags->each, "solve from each source separately");
   command
-      ->add_option("--matrix", flags->matrix,
-                   "file for the distances from each source (all vertices if none is given) to "
-                   "each target (or vertex), in rows: .npy")
-      ->type_name("FILE");
-  command->add_flag("--float32", flags->single_precision, "numbers of --matrix in 32 bits");
-  command->add_flag("--resume", flags->resume,
-                    "continue an interrupted --matrix; its finished rows stay");
-  command
       ->add_option(
           "--threads", flags->threads,
-          "threads that work at the same time: with --each (default 1) and --matrix (default: "
-          "as many as there are processors) each on a source of its own while there are "
-          "enough, otherwise on one source, where the solver can (edge-based)")
+          "threads that work at the same time (default 1): with --each each on a source of its own "
+          "while there are enough, otherwise on one source, where the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
       ->add_option("-o,--output", flags->output,
@@ -242,8 +231,7 @@ void add_solve_command(CLI::App& app) {
       {"From where, to where",
        {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets",
         "--limit"}},
-      {"What is written",
-       {"--output", "--out", "--nearest-source", "--paths", "--matrix", "--float32", "--resume"}},
+      {"What is written", {"--output", "--out", "--nearest-source", "--paths"}},
       {"How it is solved",
        {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
       {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},
@@ -255,7 +243,6 @@ void add_solve_command(CLI::App& app) {
       "\nExamples:\n  geodesic-bench solve bunny.ply --source 0 --output d.npy\n"
       "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
-      "  geodesic-bench solve bunny.ply --matrix d.npy --float32\n"
       "  geodesic-bench solve scans/*.ply --source 0 --out distances");
   command->callback([flags] { run_solve(*flags); });
 }

@@ -6,12 +6,14 @@ import inspect
 import logging
 import math
 import os
+import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
+from hashlib import sha256
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -31,6 +33,7 @@ from geodesic_bench.arrays import (
     surface_points,
     vertex_array,
 )
+from geodesic_bench.matrix_file import MatrixFile
 from geodesic_bench.prepared import Prepared, loaded
 
 if TYPE_CHECKING:
@@ -40,6 +43,8 @@ FASTEST = "edge-based"
 PREPARED = "straight-graph"
 BREAK_EVEN = 5
 """Number of sources from which on it takes less time to prepare PREPARED than to solve exactly."""
+ROWS_AT_ONCE = 64
+"""Rows a thread of a matrix file between two records of what is finished."""
 MOST_THREADS = 1024
 MOST_THREADS_THAT_PREPARE = 256
 
@@ -349,14 +354,14 @@ class Mesh:
 
     def distance_matrix(
         self,
-        rows: SurfacePoints,
+        rows: SurfacePoints | None = None,
         columns: SurfacePoints | None = None,
         *,
         threads: int = 0,
         dtype: DTypeLike | None = None,
         limit: float | None = None,
         progress: bool = False,
-        out: NDArray[Any] | None = None,
+        out: NDArray[Any] | str | os.PathLike[str] | None = None,
         approximate: bool = False,
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
@@ -365,8 +370,8 @@ class Mesh:
 
         Parameters
         ----------
-        rows : (k,) integers, or k points, or one
-            Sources, with one solve for each, as in `distances`.
+        rows : (k,) integers, or k points, or one, optional
+            Sources, with one solve for each, as in `distances`; by default all vertices.
         columns : (l,) integers, or l points, or one, optional
             Points whose distances are returned; by default all vertices. A solve ends at the farthest one.
         threads : int
@@ -378,9 +383,10 @@ class Mesh:
             Makes the matrix sparse: entries beyond this distance are not stored.
         progress : bool
             Show a progress bar of tqdm.
-        out : (k, l) array of float64 or float32, optional
-            Where the matrix is written, such as a numpy.memmap; only without a limit. Row by row, in any
-            order; after Ctrl-C some rows are missing.
+        out : (k, l) array of float64 or float32, or path, optional
+            Where the matrix is written; only without a limit. An array is filled row by row, in any order;
+            after Ctrl-C some rows are missing. A path is a .npy file, which may be larger than the memory.
+            Until it is complete it is FILE.unfinished, and the same call continues it.
         approximate : bool
             Choose the solver that takes less time: the exact one for fewer than 5 rows, otherwise
             straight-graph, whose distances are never too short (docs/approximate.md). The preparation is kept as
@@ -392,8 +398,8 @@ class Mesh:
         Returns
         -------
         (k, l) array, or scipy.sparse.csr_matrix with a limit
-            Distances in the unit of the coordinates; `out` if it was given. A dense matrix has inf for
-            unreachable points. All stored entries of a sparse matrix are reached, including stored zeros.
+            Distances in the unit of the coordinates; `out` if it was given, a read-only map of it if it is a
+            file. A dense matrix has inf for unreachable points. All stored entries of a sparse matrix are reached, including stored zeros.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distance_matrix([0, 2], columns=[1, 2])
@@ -406,7 +412,8 @@ class Mesh:
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        sources = self._points(rows, "row")
+        given = np.arange(len(self.vertices)) if rows is None else rows
+        sources = self._points(given, "row")
         targets = None if columns is None else self._points(columns, "column")
         workers = _number_of_threads(threads)
         name = _name_of_type(out.dtype if dtype is None and isinstance(out, np.ndarray) else dtype)
@@ -420,8 +427,10 @@ class Mesh:
         pool = self._pool(solver, parameters, self.distance_matrix)
         shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:
-            matrix = _matrix(shape, name) if out is None else _checked(out, shape, name)
             with _bar(shape[0], progress) as show:
+                if isinstance(out, str | os.PathLike):
+                    return self._matrix_file(out, name, pool, given, columns, workers, show)
+                matrix = _matrix(shape, name) if out is None else _checked(out, shape, name)
                 _native.dense(pool, sources, targets, workers, show, matrix)
             return matrix
         if out is not None:
@@ -433,6 +442,40 @@ class Mesh:
         with _bar(shape[0], progress) as show:
             compressed = sparse(pool, sources, targets, most, workers, show)
         return csr_matrix(compressed, shape=shape)
+
+    def _matrix_file(
+        self,
+        file: str | os.PathLike[str],
+        name: str,
+        pool: _native.SolverPool,
+        rows: SurfacePoints,
+        columns: SurfacePoints | None,
+        workers: int,
+        show: Callable[[int], None] | None,
+    ) -> NDArray[Any]:
+        """As `distance_matrix`, to a file."""
+        given = surface_points(rows, "row", len(self.vertices), len(self.faces))
+        ends = None if columns is None else surface_points(columns, "column", len(self.vertices), len(self.faces))
+        targets = None if ends is None else _native.surface_points(self._shared, *ends)[0]
+        shape = len(given.vertices), len(self.vertices) if ends is None else len(ends.vertices)
+        # The threads that prepare do not change the numbers.
+        solver = re.sub(r"threads=\d+", "", pool.solver.name)
+        told = [_native.__version__, solver, name, self._shared.crosses_non_manifold, columns is None]
+        arrays = [self.vertices, self.faces, *given, *(ends or ())]
+        problem = sha256(repr(told).encode() + b"".join(array.tobytes() for array in arrays)).hexdigest()
+        unfinished = MatrixFile(file, shape, name, problem)
+        try:
+            while unfinished.rows < shape[0]:
+                begin, end = unfinished.rows, min(unfinished.rows + workers * ROWS_AT_ONCE, shape[0])
+                some = Points(given.vertices[begin:end], given.faces[begin:end], given.weights[begin:end])
+                sources, _ = _native.surface_points(self._shared, *some)
+                shown = show and partial(_show_from, show, begin)
+                _native.dense(pool, sources, targets, workers, shown, unfinished.part(begin, end))
+                unfinished.keep(end)
+            return unfinished.finish()
+        except BaseException:
+            unfinished.leave()
+            raise
 
     def prepare(
         self, *, solver: str = PREPARED, threads: int = 0, **parameters: float | str
@@ -607,14 +650,14 @@ def _matrix(shape: tuple[int, int], name: str) -> NDArray[Any]:
     except (MemoryError, ValueError):  # ValueError: its size is no integer of the machine
         raise MemoryError(
             f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {name}: ask for fewer at a"
-            " time, or give a numpy.memmap as out"
+            " time, or give a file as out"
         ) from None
 
 
 def _checked(out: NDArray[Any], shape: tuple[int, int], name: str) -> NDArray[Any]:
     """Returns the array of a user if a matrix of this shape and type can be written to it."""
     if not isinstance(out, np.ndarray):
-        raise ValueError(f"out must be an array of numpy, not {type(out).__name__}")
+        raise ValueError(f"out must be an array of numpy or a path, not {type(out).__name__}")
     if out.shape != shape or out.dtype != np.dtype(name):
         raise ValueError(f"out must have the shape {shape} and the type {name}, not {out.shape} and {out.dtype}")
     if not out.flags.writeable:
@@ -628,6 +671,10 @@ def _warn(message: str) -> None:
     while frame.f_back and frame.f_globals["__name__"].startswith("geodesic_bench."):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, stacklevel=level)
+
+
+def _show_from(show: Callable[[int], None], begin: int, done: int) -> None:
+    show(begin + done)
 
 
 @contextmanager

@@ -108,14 +108,14 @@ class Prepared:
 
     def distance_matrix(
         self,
-        rows: SurfacePoints,
+        rows: SurfacePoints | None = None,
         columns: SurfacePoints | None = None,
         *,
         threads: int = 0,
         dtype: DTypeLike | None = None,
         limit: float | None = None,
         progress: bool = False,
-        out: NDArray[Any] | None = None,
+        out: NDArray[Any] | str | os.PathLike[str] | None = None,
     ) -> NDArray[Any] | csr_matrix:
         """As `Mesh.distance_matrix`."""
         return self.mesh.distance_matrix(

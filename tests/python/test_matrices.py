@@ -47,7 +47,7 @@ def test_a_matrix_is_written_to_an_array_of_any_layout(mesh: Any, dtype: str, tm
         ({"out": np.zeros((1, 144), ">f8")}, "out must have the shape (1, 144) and the type float64, not (1, 144) and >f8"),
         ({"out": np.zeros((1, 144)), "dtype": "float32"}, "out must have the shape (1, 144) and the type float32, not"),
         ({"out": np.broadcast_to(0.0, (1, 144))}, "out must be writeable: this array is read-only"),
-        ({"out": [[0.0] * 144]}, "out must be an array of numpy, not list"),
+        ({"out": [[0.0] * 144]}, "out must be an array of numpy or a path, not list"),
         ({"out": np.zeros((1, 144)), "limit": 1}, "a matrix with a limit is sparse: leave out either out or limit"),
         ({"approximate": True, "solver": "mmp"}, "approximate=True chooses the solver: leave out solver and its"),
         ({"approximate": True, "alpha": 0.1}, "approximate=True chooses the solver: leave out solver and its"),

@@ -12,7 +12,6 @@
 #include "harness/base/error.h"
 #include "harness/base/interruption.h"
 #include "harness/external/external_solver.h"
-#include "harness/measure/matrix.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
 #include "harness/results/counters.h"
@@ -277,63 +276,6 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
                {"real_time_s", watch.real_seconds()},
                {"process_peak_bytes", peak_resident_bytes()},
                {"solves", solves}});
-  return json;
-}
-
-Json write_matrix(Problem& problem) {
-  const SolveFlags& flags = problem.flags;
-  Query& query = problem.query;
-  if (query.sources.empty()) {
-    for (Index v = 0; v < problem.mesh.vertex_count(); ++v) query.sources.push_back({.at = v});
-  }
-  query.stop_at_targets = !query.targets.empty();
-  const std::size_t columns =
-      query.targets.empty() ? problem.mesh.vertex_count() : query.targets.size();
-  const char* const type = flags.single_precision ? "float32" : "float64";
-  Json rows = Json::array(), points = Json::array();
-  for (const Source& source : query.sources) rows.push_back(shown(problem.mesh, source));
-  for (const SurfacePoint& target : query.targets) {
-    points.push_back(shown(problem.mesh, {.at = target}));
-  }
-  const Json identity{{"mesh", sha256_of_file(problem.entry.file)},
-                      {"repair", flags.repair},
-                      {"cross_non_manifold", flags.cross_non_manifold},
-                      {"solver", solver_named(flags.solver).name},
-                      {"limit", significant(flags.limit)},
-                      {"type", type},
-                      {"sources", rows},
-                      {"targets", points}};
-  const InterruptionGuard guard;
-  const MatrixPlan plan{.file = flags.matrix,
-                        .rows = query.sources.size(),
-                        .columns = columns,
-                        .single_precision = flags.single_precision,
-                        .problem = sha256_of(identity.dump())};
-  auto file = std::make_unique<MatrixFile>(plan, flags.resume);
-  restart_peak_resident_bytes();
-  auto [prepared, preparation] = prepare(problem);
-  const Stopwatch watch;
-  try {
-    solve_matrix({.mesh = problem.mesh, .sources = query.sources, .asked = query},
-                 std::move(*prepared), problem.threads, *file);
-  } catch (const Interrupted&) {
-    file.reset();  // removes the file if it has no row
-    if (std::filesystem::exists(unfinished(flags.matrix))) {
-      warn("the rows so far are in '" + unfinished(flags.matrix).string() +
-           "': the same command with --resume goes on");
-    }
-    throw;
-  }
-  file->finish();
-  Json json{{"matrix", flags.matrix},
-            {"rows", query.sources.size()},
-            {"columns", columns},
-            {"type", type},
-            {"threads", problem.threads}};
-  json.update(preparation);
-  json.update({{"cpu_time_s", watch.cpu_seconds()},
-               {"real_time_s", watch.real_seconds()},
-               {"process_peak_bytes", peak_resident_bytes()}});
   return json;
 }
 

@@ -26,8 +26,4 @@ Json solve_jointly(const Problem& problem, Outputs& outputs);
 /// Solves from each source by itself. The distances of each source are a row.
 Json solve_separately(const Problem& problem, Outputs& outputs);
 
-/// Writes the rows of a matrix file (measure/matrix.h). Without sources, all vertices are rows;
-/// without targets, all vertices are columns.
-Json write_matrix(Problem& problem);
-
 }  // namespace geodesic::harness

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <thread>
 
 #include "harness/base/error.h"
 #include "harness/commands/solving/answers.h"
@@ -29,15 +28,6 @@ std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<s
   for (const std::string& word : words) add(parse_points(word, "--" + flag));
   if (!file.empty()) add(read_points(file, "--" + flag + "s-file"));
   return points;
-}
-
-void check_matrix(const SolveFlags& flags) {
-  if (flags.each || flags.counters || flags.check || wants_paths(flags) || flags.stop_at_targets ||
-      !flags.output.empty() || !flags.output_folder.empty()) {
-    throw HarnessError(
-        "--matrix writes distances from each source, and goes with --limit, --threads, --float32 "
-        "and --resume only");
-  }
 }
 
 // Checks that the solver has the abilities that the flags and the query need.
@@ -94,20 +84,15 @@ struct ThreadShares {
 };
 ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
                            std::size_t sources) {
-  if (!flags.each && flags.matrix.empty()) {
+  if (!flags.each) {
     if (flags.threads > 1 && !shares_sources(solver)) {
-      throw HarnessError("--threads is for --each and --matrix where the solver is " + solver.name);
+      throw HarnessError("--threads is for --each where the solver is " + solver.name);
     }
-    return {.within = std::max(flags.threads, 1u)};
+    return {.within = flags.threads};
   }
-  unsigned threads = flags.threads;
-  if (threads == 0) {
-    const bool takes_all = !flags.matrix.empty() && solver.abilities.concurrent_objects;
-    threads = takes_all ? std::max(1u, std::thread::hardware_concurrency()) : 1;
-  }
-  const auto side_by_side = static_cast<unsigned>(std::min<std::size_t>(threads, sources));
+  const auto side_by_side = static_cast<unsigned>(std::min<std::size_t>(flags.threads, sources));
   if (!shares_sources(solver)) return {side_by_side, 1};
-  return {side_by_side, solver.abilities.saves ? threads : threads / side_by_side};
+  return {side_by_side, solver.abilities.saves ? flags.threads : flags.threads / side_by_side};
 }
 
 }  // namespace
@@ -118,15 +103,12 @@ void check_combination(const SolveFlags& flags) {
   const auto refuse = [](const std::string& why) { throw HarnessError(why); };
   const bool targets = !flags.targets.empty() || !flags.targets_file.empty();
   const bool sources = !flags.sources.empty() || !flags.sources_file.empty();
-  if (flags.meshes.size() > 1 &&
-      !(flags.output.empty() && flags.paths.empty() && flags.matrix.empty())) {
-    refuse("--output, --paths and --matrix are files of one mesh: with several use --out");
+  if (flags.meshes.size() > 1 && !(flags.output.empty() && flags.paths.empty())) {
+    refuse("--output and --paths are files of one mesh: with several use --out");
   }
   if (flags.meshes.size() > 1 && !(flags.prepared.empty() && flags.save_prepared.empty())) {
     refuse("--prepared and --save-prepared are files of one mesh");
   }
-  if (!flags.matrix.empty()) return check_matrix(flags);
-  if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");
   if (!sources) refuse("--source or --sources-file is required");
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
@@ -150,9 +132,7 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                      const BuiltMesh& built, const WrittenPoints& points) {
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
-  const std::size_t sources = points.sources.size();
-  const ThreadShares shares =
-      share_threads(flags, solver, sources > 0 ? sources : built.mesh->vertex_count());
+  const ThreadShares shares = share_threads(flags, solver, points.sources.size());
   Problem problem{flags,
                   with_threads(solver, shares.within),
                   shares.sources,

@@ -18,11 +18,11 @@ struct SolveFlags {
   std::vector<std::string> meshes;
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
-  std::string sources_file, targets_file, output, output_folder, paths, matrix;
+  std::string sources_file, targets_file, output, output_folder, paths;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
-  bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
-  unsigned threads = 0;  ///< 0 for the best number
+  bool stop_at_targets = false, nearest_source = false;
+  unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
   std::string manifest = default_manifest().string();
