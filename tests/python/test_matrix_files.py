@@ -72,7 +72,7 @@ def test_an_interrupted_file_is_continued_by_the_same_call(stop: signal.Signals,
     part = tmp_path / "m.npy.unfinished"
     assert not (tmp_path / "m.npy").exists() and 0 < finished_rows(part) < 1600
     mesh = gb.Mesh(*rough_ground(40))
-    asked = {"solver": "mmp", "dtype": "float32"}
+    asked: dict[str, Any] = {"solver": "mmp", "dtype": "float32"}
     before = part.read_bytes()
     for other in ({**asked, "rows": [0, 1]}, {**asked, "solver": "edge-based"}, {**asked, "dtype": "float64"}):
         with pytest.raises(ValueError, match="has the rows of another matrix: remove it, or give another name"):
