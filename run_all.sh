@@ -19,8 +19,6 @@ peers=
 solvers=
 meshes=
 folder=
-slurm=
-slurm_options=()
 install=yes
 run_options=()
 steps=()
@@ -65,17 +63,6 @@ Options:
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 
-On a cluster (docs/clusters.md):
-  --slurm              run in shards, as an array job of Slurm: wait for it, resubmit jobs that end
-                       early, merge; DIR/slurm.sh is the batch script. Ctrl-C keeps the jobs
-  --slurm-follow DIR   the same with jobs that were submitted before, also by hand
-  --slurm-script       write the batch script and stop
-  --shards N           (default: 32, or as many as there are pairs of mesh and source)
-  --partition NAME, --time TIME, --mem SIZE, --exclusive
-                       options of sbatch, of each shard
-  --array-limit N      shards that run at a time
-  --sbatch=OPTION      any other option of sbatch, such as --sbatch=--account=mine; repeatable
-
 Environment:
   GEODESIC_DATASETS          dataset cache (default: datasets/cache)
   GEODESIC_DATASETS_MIRROR   folder, file:// or http:// address with a copy of the upstream
@@ -89,17 +76,6 @@ EOF
 take_word() {
   case $1 in
     --repair) run_options+=("$1") ;;
-    --slurm) slurm=submit ;;
-    --slurm-script) slurm=submit; slurm_options+=(--write-only); steps+=(build fetch run) ;;
-    --exclusive) slurm_options+=("$1") ;;
-    --sbatch)
-      [[ $# -ge 2 && $2 == -* ]] || die "--sbatch needs an option of sbatch: --sbatch=--account=mine"
-      slurm_options+=("--sbatch=$2")
-      taken=2
-      ;;
-    --partition | --time | --mem) take_value "$@"; slurm_options+=("$1=$value") ;;
-    --shards | --array-limit) take_number "$@"; slurm_options+=("$1=$value") ;;
-    --slurm-follow) take_value "$@"; slurm=follow; out=$(absolute "$value") ;;
     --preset) take_preset "$@" ;;
     --corpus) take_value "$@"; corpus=$value ;;
     --folder)
@@ -131,13 +107,8 @@ complete_options() {
   if [[ ${#steps[@]} -eq 0 ]]; then
     steps=("${all_steps[@]}")
     if [[ -n $folder ]]; then steps=(build run check plot); fi
-    if [[ $slurm == follow ]]; then steps=(run check plot); fi
     if [[ -n $peers ]]; then steps+=(peers); fi
   fi
-  [[ -n $slurm || ${#slurm_options[@]} -eq 0 ]] || die "${slurm_options[0]%%=*} is for --slurm"
-  [[ $slurm != follow || ${#slurm_options[@]} -eq 0 ]] ||
-    die "--slurm-follow takes the options from its folder: leave out ${slurm_options[0]%%=*}"
-  [[ -z $slurm || -z $resumed ]] || die "--resume is for a run on this machine; --slurm-follow DIR continues one of Slurm"
   if has_step run; then
     [[ -z $old_run ]] || die "--run is for check and plot of an old run; run writes to --out DIR"
     if [[ -n $resumed ]]; then
@@ -208,10 +179,6 @@ step_run() {
   elif [[ -n $solvers ]]; then
     run_options+=(--solvers "$solvers")
   fi
-  if [[ -n $slurm ]]; then
-    run_on_slurm "${what[@]}" "${run_options[@]}"
-    return
-  fi
   if [[ -n $resumed ]]; then
     what=()
     where=(--resume "$resumed")
@@ -240,21 +207,6 @@ command_to_resume() {
   printf ' --resume %q' "$out"
 }
 
-# run_on_slurm OPTION...: runs on Slurm with options of `geodesic-bench run`.
-run_on_slurm() {
-  local status=0 words=(follow "$out")
-  if [[ $slurm == submit ]]; then
-    words=(submit --out "$out" --bench "$bench" "${slurm_options[@]}" -- "$@")
-  fi
-  (cd "$root" && logged "$python" "$root/tools/slurm.py" "${words[@]}") || status=$?
-  if [[ " ${slurm_options[*]} " == *" --write-only "* ]]; then
-    [[ $status -ne 0 ]] || say "Submit it: sbatch $out/slurm.sh; then follow it: $0 --slurm-follow '$out'"
-    exit "$status"
-  fi
-  # The run lacks the shards that were given up, which check reports.
-  [[ $status -lt 128 && -f $out/run.json ]] || exit "$status"
-}
-
 # A failure only changes the exit code at the end, because the tables show failed cells.
 step_check() {
   local accepted=(--allow-skipped)
@@ -272,7 +224,7 @@ step_plot() {
 # check_words: refuses names and folders that do not exist, before the first step.
 check_words() {
   local words=()
-  if has_step run && [[ -z $resumed && -z $slurm && -e $out/run.json ]]; then
+  if has_step run && [[ -z $resumed && -e $out/run.json ]]; then
     die "$out already contains a run; remove it, or give another --out"
   fi
   if [[ -n $folder ]]; then

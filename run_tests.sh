@@ -50,6 +50,7 @@ run_tests() {
 }
 
 run_nightly() {
+  want_optional "$install" optional-nightly
   run_pytest -m nightly
 }
 

@@ -147,8 +147,8 @@ def test_where_no_chroot_can_be_made_the_exit_code_is_77(
     assert not (checkout / "build").exists()
 
 
-OF_RUN_ALL = "corpus preset folder peers solvers meshes sources out run resume shards mem slurm-follow".split()
-NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"), ("--shards", "99999999")]
+OF_RUN_ALL = "corpus preset folder peers solvers meshes sources out run resume".split()
+NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"), ("--sources", "99999999")]
 
 
 @pytest.mark.parametrize(
@@ -173,8 +173,6 @@ NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"),
         ("run_all.sh run plot --run x", "run writes to --out DIR"),
         ("run_all.sh run --resume x --out y", "--out cannot be used with --resume"),
         ("run_all.sh plot --resume x", "--out and --resume are for run"),
-        ("run_all.sh run --mem 4G", "--mem is for --slurm"),
-        ("run_all.sh --sbatch=account", "--sbatch needs an option of sbatch: --sbatch=--account=mine"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_done_is_refused_with_the_reason(checkout: Path, words: str, says: str) -> None:
@@ -356,7 +354,7 @@ def ci(checkout: Path) -> Callable[..., Ended]:
             for file, text in ((checkout / name, text) for name, text in reports.items())
         )
         for name in ["run_tests.sh", "run_all.sh", "tools/lint.sh", "tools/on_debian.sh",
-                     "tests/fuzz/fuzz.sh", "tests/slurm/slurm.sh", "build/ci/geodesic-bench"]:  # fmt: skip
+                     "tests/fuzz/fuzz.sh", "build/ci/geodesic-bench"]:  # fmt: skip
             stem = Path(name).stem
             before = made if name == "run_tests.sh" else ""
             program(checkout / name, f'{before}echo "{stem}: $*"; exit {ends.get(stem, 0)}')
@@ -394,9 +392,9 @@ def test_ci_ends_with_the_number_of_tests_and_runs_the_job_whatever_they_say(
 @pytest.mark.parametrize(
     ("ends", "last"),
     [
-        ({}, "8 passed, 0 failed"),
-        ({"fuzz": 1}, "7 passed, 1 failed"),
-        ({"run_all": "$([[ $2 == peers ]] && echo 3)"}, "8 passed, 0 failed"),
+        ({}, "7 passed, 0 failed"),
+        ({"fuzz": 1}, "6 passed, 1 failed"),
+        ({"run_all": "$([[ $2 == peers ]] && echo 3)"}, "7 passed, 0 failed"),
     ],
 )
 def test_the_nightly_jobs_are_all_run_and_counted(
@@ -404,7 +402,7 @@ def test_the_nightly_jobs_are_all_run_and_counted(
 ) -> None:
     ended = ci("nightly", **ends)
     assert ended.returncode == (0 if last.endswith(" 0 failed") else 1)
-    assert ended.stdout.splitlines()[-1] == last and "slurm: " in ended.stdout
+    assert ended.stdout.splitlines()[-1] == last and "fuzz: " in ended.stdout
     missing = "== not run: the public codes libigl-exact,pvtp cannot be had here"
     assert (missing in ended.stdout) == ("run_all" in ends)
 
