@@ -27,8 +27,6 @@ class Field:
     """A footnote. Equal notes in a table share one mark."""
     latex: str | None = None
     """LaTeX code to write instead of the escaped text."""
-    link: str = ""
-    """Address of a link on an HTML page."""
     title: str = ""
     """Tooltip on an HTML page."""
 
@@ -80,25 +78,7 @@ class Table:
 
 def without_empty_columns(table: Table) -> Table:
     """Returns the table without the columns in which no field has a text."""
-    return _with(table, [i for i in _columns(table) if any(row[i].text for row in table.rows)])
-
-
-def without_constant_columns(table: Table, kept: int) -> Table:
-    """Returns the table without the columns whose fields all have the same text, apart from the first
-    `kept`. A remark states these texts. A table with one row is unchanged."""
-    constant = {
-        table.header[i]: table.rows[0][i].text
-        for i in _columns(table)
-        if i >= kept and len(table.rows) > 1 and len({row[i].text for row in table.rows}) == 1
-    }
-    left = [i for i in _columns(table) if table.header[i] not in constant]
-    said = "; ".join(f"{name} {text}" for name, text in constant.items() if text)
-    remarks = [*([f"In all rows: {said}."] if said else []), *table.remarks]
-    return replace(_with(table, left), remarks=remarks)
-
-
-def _with(table: Table, columns: Sequence[int]) -> Table:
-    """Returns only these columns of the table."""
+    columns = [i for i in _columns(table) if any(row[i].text for row in table.rows)]
     return replace(
         table,
         header=[table.header[i] for i in columns],

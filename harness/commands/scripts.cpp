@@ -39,7 +39,6 @@ constexpr Script kScripts[] = {
     {"check", "gate.check_run", "Check a run: verified cells, complete counters, known failures"},
     {"publish", "gate.publish", "Write a run as a file to contribute"},
     {"check-result", "gate.check_result", "Check a contributed result file"},
-    {"site", "plots.site", "Make static pages of many runs, to sort, filter and compare"},
 };
 
 constexpr const char* kHasPackages =

@@ -36,7 +36,7 @@ def test_commands() -> None:
     assert {name: line for name in names for line in found[name] if not ALLOWED.match(line)} == {}
     for name in ("solve", "mesh", "generate", "view", "publish"):
         assert any(line.startswith("-o") for line in found[name]), name
-    for name in ("solve", "run", "verify", "rank", "merge", "site"):
+    for name in ("solve", "run", "verify", "rank", "merge"):
         assert any(line.startswith("--out DIR") for line in found[name]), name
 
 
