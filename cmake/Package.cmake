@@ -32,12 +32,3 @@ install(FILES results/__init__.py results/checksum.py results/columns.py results
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
-
-# Completion files, in the folders where shells look for them. words.sh gets the words from the program.
-install(PROGRAMS tools/completion/words.sh DESTINATION ${GEODESIC_DATA_FOLDER}/completion)
-install(FILES tools/completion/geodesic-bench.bash RENAME geodesic-bench
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES tools/completion/_geodesic-bench
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES tools/completion/geodesic-bench.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

@@ -49,7 +49,7 @@ types() {
 }
 
 scripts() {
-  shellcheck ./*.sh examples/*.sh tools/*.sh tools/completion/words.sh tools/completion/geodesic-bench.bash tests/*/*.sh .ci/*
+  shellcheck ./*.sh examples/*.sh tools/*.sh tests/*/*.sh .ci/*
 }
 
 # Does not use unity builds, so that definitions of one file are not visible in others.
