@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from results.reader import Cell, Row, Run
@@ -80,12 +79,8 @@ class Measured:
         """Returns a number that is equal in all repetitions, or None if the solver does not have it."""
         return next((n for row in self.rows if (n := row.number(key)) is not None), None)
 
-    def numbers(self, keys: Iterable[str]) -> dict[str, float]:
-        """Returns those of the numbers that the solver has."""
-        return {key: value for key in keys if (value := self.number(key)) is not None}
-
     def counters(self) -> dict[str, int]:
-        return {name: int(value) for name, value in self.numbers(COUNTERS).items()}
+        return {key: int(value) for key in COUNTERS if (value := self.number(key)) is not None}
 
 
 def measured(run: Run, program: str | None = None) -> dict[Cell, Measured]:

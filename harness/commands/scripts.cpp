@@ -32,7 +32,6 @@ struct Script {
 constexpr Script kScripts[] = {
     {"compare", "gate.compare", "Compare two finished runs, cell by cell and overall"},
     {"rank", "gate.rank", "Rank a solver against others by interleaved times"},
-    {"export", "gate.export", "Convert a run to the format of another tool"},
     {"merge", "results.merge", "Join the shards of a run (run --shard K/N)"},
     {"report", "plots.report", "Draw the tables, figures and the HTML report of a run"},
     {"view", "view", "Make a page that turns a model and plays the wavefronts of solvers"},

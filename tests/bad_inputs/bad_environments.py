@@ -79,7 +79,6 @@ CASES = [
     full_stream("geodesic-bench mesh hill.obj", *STREAM),
     full_stream("geodesic-bench solve --help", *STREAM),
     full_stream(f"{MEASURE} --out run", *STREAM, lines=3),
-    full_stream(f"geodesic-bench export --to csv '{RUN}'", "geodesic-bench export: cannot write", FULL),
     full_stream(f"check_run.py '{RUN}'", "geodesic-bench check: cannot write", FULL),
     full_stream(f"plots table_5_1 --run '{RUN}' --out t", "plots: cannot write", FULL),
     full_stream("fetch.py --help", "fetch.py: cannot write", FULL),

@@ -130,14 +130,12 @@ CASES = [
     flag("geodesic-bench verify --solver mmp --source 0",
          "--source and --limit need --meshes or --corpus"),
     flag("geodesic-bench verify --solver mmp --out hill.obj", "--out 'hill.obj' is a file"),
-    # compare, export
+    # compare
     flag("geodesic-bench compare old new", "geodesic-bench compare: old: no such folder"),
     flag(f"geodesic-bench compare '{GOLDEN}'", "no programs. Give two runs otherwise"),
     flag("geodesic-bench compare old new --fail-on speed=1%", "no kind of limit named 'speed'"),
     flag("geodesic-bench compare old new --fail-on time=ten", "'time=ten' must have the form time=10%"),
     script("compare", "old new --format xml", "--format: invalid choice: 'xml'", "markdown"),
-    script("export", "run", "required: --to"),
-    script("export", "--to xml run.json", "--to: invalid choice: 'xml'", "choose from", "csv"),
     # scripts
     flag("run_all.sh --fast", "run_all.sh: unknown option --fast; see run_all.sh --help"),
     flag("run_all.sh --corpus", "run_all.sh: --corpus needs a value; see run_all.sh --help"),

@@ -73,7 +73,7 @@ def test_any_name_of_a_file_or_folder_will_do(name: str, bash: Bash, tmp_path: P
     assert (folder / "d.txt").read_bytes() == (here / "plain.txt").read_bytes()
     run = f"geodesic-bench run --meshes {quoted} --solvers mmp --sources 1 --min-time 0.00001"
     for command in (f"{run} --repetitions 1 --out {out}", f"check_run.py {out}",
-                    f"plots table_5_2 --run {out}", f"geodesic-bench export --to csv {out}"):  # fmt: skip
+                    f"plots table_5_2 --run {out}", f"geodesic-bench compare {out} {out}"):  # fmt: skip
         ended = bash(f"{environment} {command}")
         assert ended.returncode == 0, ended
     assert not (here / "x").exists()
@@ -106,7 +106,6 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
         "check_run.py .",
         "plots table_5_2 --run .",
         "geodesic-bench compare . .",
-        "geodesic-bench export --to csv .",
     ):
         ended = bash(command)
         shown = "" if command.startswith("plots") else r"\x1b[2J"

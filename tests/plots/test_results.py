@@ -19,6 +19,9 @@ from results.reader import SCHEMA, Cell, ResultError, Run, newest_run, read_file
 Change = Callable[[dict[str, Any]], object]
 Changed = Callable[[Change], Path]
 
+COMPARE = Path("/usr/share/benchmark/compare.py")
+"""Google Benchmark's tool. Debian's Python has the modules that it imports."""
+
 PROGRAMS = [
     {"name": name, "path": f"/bin/{name}", "sha256": 64 * "a", "revision": "unknown",
      "modified": None, "compiler": "g++", "compiler_flags": "", "build_type": "Release"}
@@ -259,3 +262,23 @@ def test_a_run_of_some_meshes_has_their_rows_only(golden_run: Run) -> None:
     assert {row.mesh for row in some.rows} == {"horse"} == set(some.meshes)
     with pytest.raises(ResultError, match="no mesh named 'dragon'; there are: "):
         golden_run.of_meshes(["dragon"])
+
+
+@pytest.mark.skipif(not COMPARE.exists(), reason="libbenchmark-tools is not installed")
+def test_google_benchmarks_own_tool_compares_two_of_our_files(golden_run: Run, tmp_path: Path) -> None:
+    files = []
+    for factor in (1, 2):
+        data = json.loads(golden_run.file.read_text())
+        data["benchmarks"] = [row for row in data["benchmarks"] if row["outcome"] == "ok"]
+        for row in data["benchmarks"]:
+            row["real_time"] *= factor
+            row["cpu_time"] *= factor
+        files.append(tmp_path / f"{factor}.json")
+        files[-1].write_text(json.dumps(data))
+    ended = subprocess.run(
+        ["/usr/bin/python3", COMPARE, "--no-color", "benchmarks", *files], capture_output=True, text=True
+    )
+    assert ended.returncode == 0, ended.stderr
+    name = data["benchmarks"][0]["run_name"]
+    line = next(line for line in ended.stdout.splitlines() if line.startswith(name))
+    assert line.split()[1:3] == ["+1.0000", "+1.0000"]
