@@ -13,7 +13,6 @@ import shutil
 import signal
 import subprocess
 import time
-from dataclasses import dataclass, field
 from pathlib import Path
 
 SOLVERS = "edge-based,ich,mmp,dijkstra"
@@ -77,24 +76,12 @@ def two_meshes(bench: Path, folder: Path) -> str:
     return ",".join(files)
 
 
-@dataclass
-class Tally:
-    kills: dict[str, int] = field(default_factory=dict)
-    runs: int = 0
-    cells_kept: int = 0
-    """Number of cells that were saved at a kill, summed over kills."""
-
-    @property
-    def total(self) -> int:
-        return sum(self.kills.values())
-
-
 class Killing:
     def __init__(self, bench: Path, folder: Path, seed: int) -> None:
         self.bench = bench.resolve()
         self.folder = folder
         self.random = random.Random(seed)
-        self.tally = Tally()
+        self.runs = self.kills = 0
         self.meshes = two_meshes(self.bench, folder)
         began = time.monotonic()
         whole = self._work()
@@ -107,7 +94,7 @@ class Killing:
     def _work(self) -> Path:
         """Returns the folder of a run. All its names have the same length, because the lengths of earlier
         names change the free blocks of the heap and the peak of malloc."""
-        return self.folder / f"run-{self.tally.runs:04}"
+        return self.folder / f"run-{self.runs:04}"
 
     def _start(self, work: Path, resume: bool) -> subprocess.Popen[str]:
         work.mkdir(exist_ok=True)
@@ -124,8 +111,8 @@ class Killing:
     def until_killed(self, most: int) -> None:
         """Kills and resumes runs until there were `most` kills. Each run must end with the files of an
         uninterrupted run. Raises Lost if one does not."""
-        while self.tally.total < most:
-            self.tally.runs += 1
+        while self.kills < most:
+            self.runs += 1
             self._one_run(most)
 
     def _one_run(self, most: int) -> None:
@@ -133,7 +120,7 @@ class Killing:
         saved: dict[Path, str] = {}
         while True:
             process = self._start(work, resume=(work / "run" / "request.json").exists())
-            if self.tally.total < most:
+            if self.kills < most:
                 self._kill(process)
             code = process.wait()
             if code == 0:
@@ -150,10 +137,8 @@ class Killing:
         try:
             process.wait(delay)
         except subprocess.TimeoutExpired:
-            chosen = self.random.choice(SIGNALS)
-            process.send_signal(chosen)
-            name = chosen.name
-            self.tally.kills[name] = self.tally.kills.get(name, 0) + 1
+            process.send_signal(self.random.choice(SIGNALS))
+            self.kills += 1
 
     def _look_after(self, work: Path, code: int) -> None:
         """Checks the exit code and the message of a killed process, and that no process is left."""
@@ -178,7 +163,6 @@ class Killing:
         for file, digest in before.items():
             if cells.get(file) != digest:
                 raise Lost(f"{file} was saved and has been measured again or lost")
-        self.tally.cells_kept += len(cells)
         return cells
 
     def _same_as_uninterrupted(self, work: Path) -> None:
