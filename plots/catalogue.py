@@ -96,11 +96,8 @@ WITH_SECONDS = {
     "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
     "break_even", "frontier", "which_to_take", "which_to_take_mean", "path_numbers",
 }  # fmt: skip
-"""Tables and figures that show times. In a run on several processors, each processor has its own. The
-others show counts, errors, and ratios of times that one processor measured on one source."""
-ON = "_on_processor_"
-"""Separates a name from the number, from 1, of one of several processors."""
-
+"""Tables and figures that show times, which one processor must have measured. The others show counts,
+errors, and ratios of times that one processor measured on one source."""
 
 OF_SETS = {
     "summary", "accuracy", "many_sources", "many_sources_errors", "many_sources_numbers", "robustness", "robustness_counts",
@@ -115,7 +112,6 @@ OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
     "time_over_vertices": many.over_vertices,
 }
 """Tables and figures that replace EVERYTHING for a run of more than `MANY` meshes."""
-OF_MANY_WITH_SECONDS = {"time_over_vertices"}
 
 
 def known_of(run: Run) -> dict[str, Callable[[Run], Table | Drawing]]:
@@ -124,8 +120,8 @@ def known_of(run: Run) -> dict[str, Callable[[Run], Table | Drawing]]:
 
 
 def base_name(name: str) -> str:
-    """Returns the name in EVERYTHING or NEUTRAL, without processor and mesh."""
-    return name.split(ON)[0].split(OF)[0]
+    """Returns the name in EVERYTHING or NEUTRAL, without mesh."""
+    return name.split(OF)[0]
 
 
 def _neutral(name: str) -> str:
@@ -133,21 +129,22 @@ def _neutral(name: str) -> str:
     return NEUTRAL.get(base, base) + name.removeprefix(base)
 
 
-def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
-    """Returns the drawings of a name: by full name, the run to draw and the text to append to the title."""
+def _parts(run: Run, name: str) -> dict[str, Run]:
+    """Returns the runs that a name is drawn of, by full name."""
     parts = {name: run}
     if name in BY_MESH and len(run.meshes) > 1:
         parts |= {f"{name}{OF}{quote(m, safe='')}": run.of_meshes([m]) for m in run.meshes}
-    processors = run.processors
-    with_seconds = WITH_SECONDS if len(run.meshes) <= MANY else OF_MANY_WITH_SECONDS
-    if name not in with_seconds or len(processors) < 2:
-        return {part: (of, "") for part, of in parts.items()}
-    return {
-        f"{part}{ON}{number}": (of.of_processor(processor), f", on {processor}")
-        for part, of in parts.items()
-        for number, processor in enumerate(processors, 1)
-        if processor in of.processors
-    }
+    return parts
+
+
+def _on_one_processor(run: Run) -> Run:
+    """Returns the run. @raises ResultError if several processors measured it"""
+    if len(run.processors) > 1:
+        raise ResultError(
+            f"{run.file}: times in seconds of several processors, {', '.join(run.processors)}: "
+            "choose meshes of one with --meshes"
+        )
+    return run
 
 
 def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing], dict[str, str]]:
@@ -169,18 +166,12 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
             )
             continue
         shown = run if one in OF_SETS else run.of_single_sources
-        for name, (part, on) in _parts(shown, one).items():
+        for name, part in _parts(shown, one).items():
             try:
-                found = known[one](part)
+                drawn[name] = known[one](_on_one_processor(part) if one in WITH_SECONDS else part)
             except ResultError as error:
                 if OF not in name or str(error) not in left_out.values():
                     left_out[name] = str(error)
-                continue
-            if on:
-                found = replace(found, title=found.title + on)
-            if on and isinstance(found, Table):
-                found = replace(found, name=found.name + name.removeprefix(one))
-            drawn[name] = found
     if of_thesis(run):
         return drawn, left_out
     neutral = {_neutral(name): one for name, one in drawn.items()}
@@ -203,7 +194,7 @@ def draw_files(
     run: Run, folder: Path, names: Sequence[str] = (), out: Path | None = None
 ) -> tuple[dict[str, Table | Picture], dict[str, str]]:
     """As `draw`, and writes each table and figure in every format: tables to FOLDER/tables and figures to
-    FOLDER/figures, or all to `out`. Each is drawn on one processor, and all processors are used. Prints
+    FOLDER/figures, or all to `out`. All processors of the machine draw. Prints
     the name of the first file of each."""
     each = list(names) or list(known_of(run))
     processes = min(len(each), os.cpu_count() or 1)

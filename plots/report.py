@@ -123,7 +123,7 @@ def _about(run: Run) -> str:
 def _processors(run: Run) -> str:
     if len(run.processors) < 2:
         return f"{run.ours['processor']}, {run.context['num_cpus']} cores seen"
-    counts = {name: run.of_processor(name).columns.length for name in run.processors}
+    counts = {name: run.columns.where("processor", name).sum() for name in run.processors}
     return "; ".join(f"{name} ({count} rows)" for name, count in counts.items())
 
 

@@ -223,24 +223,6 @@ class Run:
         """The processors that measured the rows, in the order of the rows."""
         return self.columns.names("processor")
 
-    def of_processor(self, processor: str) -> Run:
-        """Returns the run with only the rows that this processor measured."""
-        columns = self.columns.take(self.columns.where("processor", processor))
-        measured = {
-            mesh: {columns.source(int(row)) for row in rows}
-            for (mesh,), rows in columns.by_texts("mesh").items()
-        }
-        sources = {
-            mesh: [source for source in of if source in measured.get(mesh, ())]
-            for mesh, of in self.sources.items()
-        }
-        return replace(
-            self,
-            columns=columns,
-            meshes={name: mesh for name, mesh in self.meshes.items() if sources.get(name)},
-            sources={name: of for name, of in sources.items() if of},
-        )
-
     @cached_property
     def of_single_sources(self) -> Run:
         """The run without cells of source sets; unchanged if a mesh has no other sources."""

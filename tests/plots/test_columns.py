@@ -136,3 +136,16 @@ def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
     assert "drawn of at most 100 meshes, which --meshes chooses" in refused["table_5_2"]
     few, _ = catalogue.draw(run.of_meshes(["horse-1", "horse-7"]), ["table_5_2"])
     assert list(few) == ["table_5_2"]
+
+
+def test_seconds_of_several_processors_are_refused_and_ratios_drawn(golden_folder: Path) -> None:
+    run = crowd(golden_folder, 2)
+    rows = [row.data | {"processor": "Abacus" if row.mesh == "horse-1" else "Babbage"} for row in run.rows]
+    run = run_of(golden_folder, {"context": run.context, "benchmarks": rows})
+    drawn, left_out = catalogue.draw(run, ["summary", "overview", "every_solver", "time_over_vertices"])
+    assert list(drawn) == ["summary", "overview"]
+    assert left_out == dict.fromkeys(["every_solver", "time_over_vertices"], (
+        f"{run.file}: times in seconds of several processors, Abacus, Babbage: choose meshes of one with --meshes"
+    ))  # fmt: skip
+    of_one, _ = catalogue.draw(run.of_meshes(["horse-2"]), ["every_solver"])
+    assert list(of_one) == ["every_solver"]

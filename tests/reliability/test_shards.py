@@ -171,12 +171,12 @@ def test_what_another_processor_left_unfinished_is_measured_again(
     assert sharded.merge("shards", "--out", "merged").returncode == 0
     run = read_run(tmp_path / "merged")
     [one, other] = sorted(run.processors, key="Abacus".__ne__)
-    elsewhere = {(row.mesh, row.source) for row in run.of_processor(one).rows}
-    here = {(row.mesh, row.source) for row in run.of_processor(other).rows}
+    elsewhere, here = (
+        {(row.mesh, row.source) for row in run.rows if row.processor == name} for name in (one, other)
+    )
     assert len(elsewhere) == 3 and len(here) == 6 and not elsewhere & here
     assert (mesh, int(source)) in here
     report = sharded.bench_says("report", "merged")
     assert report.returncode == 0, report.stderr
     tables = {file.stem for file in (tmp_path / "merged" / "tables").glob("*.md")}
-    assert {"every_solver_on_processor_1", "every_solver_on_processor_2", "ratios"} <= tables
-    assert "every_solver" not in tables
+    assert "ratios" in tables and "every_solver" not in tables
