@@ -34,9 +34,10 @@ def write_obj(file: Path, vertices: ArrayLike, faces: ArrayLike) -> None:
     file.write_text("\n".join(lines) + "\n")
 
 
-def solve(*words: object) -> None:
-    """Runs `geodesic-bench solve`."""
-    subprocess.run([BENCH, "solve", *map(str, words)], check=True, capture_output=True)
+def solve(*words: object) -> str:
+    """Runs `geodesic-bench solve`, and returns what it prints."""
+    command = [BENCH, "solve", *map(str, words)]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def rough_ground(side: int) -> Arrays:

@@ -41,23 +41,18 @@ def test_a_matrix_between_points_is_the_bits_of_the_program(
     mesh = gb.read_mesh(file)
     asked = (file, "--solver", solver, "--source", written(POINTS))
     columns = [(7, (0.1, 0.1, 0.8)), 140, (3, (0.2, 0.3, 0.5))]
-    for name, more, matrix in (
-        ("all.npy", (), mesh.distance_matrix(POINTS, solver=solver)),
-        (
-            "some.npy",
-            ("--target", written(columns), "--float32"),
-            mesh.distance_matrix(POINTS, columns, threads=2, dtype="float32", solver=solver),
-        ),
-    ):
-        solve(*asked, *more, "--matrix", tmp_path / name)
-        np.testing.assert_array_equal(matrix, np.load(tmp_path / name))
-    solve(*asked, "--target", written(columns), "--limit", 6, "--matrix", tmp_path / "near.npy")
-    near = mesh.distance_matrix(POINTS, columns, limit=6, solver=solver)
-    expected = np.load(tmp_path / "near.npy")
-    assert 0 < near.nnz < near.shape[0] * near.shape[1]
-    assert near.nnz == np.isfinite(expected).sum()
-    found = near.tocoo()
-    np.testing.assert_array_equal(found.data, expected[found.row, found.col])
+    solve(*asked, "--each", "--output", tmp_path / "all.npy")
+    whole = np.load(tmp_path / "all.npy")
+    np.testing.assert_array_equal(mesh.distance_matrix(POINTS, solver=solver), whole)
+    near = mesh.distance_matrix(POINTS, limit=6, solver=solver)
+    assert 0 < near.nnz < whole.size
+    np.testing.assert_array_equal(near.toarray(), np.where(whole <= 6, whole, 0))
+
+    said = json.loads(solve(*asked, "--each", "--target", written(columns)))
+    some = np.array([each["at_targets"] for each in said["solves"]])
+    np.testing.assert_array_equal(mesh.distance_matrix(POINTS, columns, solver=solver), some)
+    single = mesh.distance_matrix(POINTS, columns, threads=2, dtype="float32", solver=solver)
+    np.testing.assert_array_equal(single, some.astype(np.float32))
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
