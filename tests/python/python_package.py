@@ -36,7 +36,7 @@ def write_obj(file: Path, vertices: ArrayLike, faces: ArrayLike) -> None:
 
 def solve(*words: object) -> str:
     """Runs `geodesic-bench solve`, and returns what it prints."""
-    command = [BENCH, "solve", *map(str, words)]
+    command = [str(BENCH), "solve", *map(str, words)]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
