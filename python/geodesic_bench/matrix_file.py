@@ -49,16 +49,13 @@ class MatrixFile:
                 self.rows = self._rows()
                 self._map = open_memmap(self._unfinished, "r+")
                 self._end = self._map.offset + self._map.nbytes
-        except OSError as error:
+        except BaseException as error:
             self._stream.close()
             if is_new:
                 self._unfinished.unlink()
-            if error.errno in (errno.ENOSPC, errno.EFBIG):
+            if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EFBIG):
                 size = f"{shape[0]} rows and {shape[1]} columns in {dtype}"
                 raise OSError(error.errno, f"no room for a matrix of {size}", str(self._file)) from None
-            raise
-        except BaseException:
-            self._stream.close()
             raise
 
     def part(self, begin: int, end: int) -> NDArray[Any]:

@@ -399,7 +399,8 @@ class Mesh:
         -------
         (k, l) array, or scipy.sparse.csr_matrix with a limit
             Distances in the unit of the coordinates; `out` if it was given, a read-only map of it if it is a
-            file. A dense matrix has inf for unreachable points. All stored entries of a sparse matrix are reached, including stored zeros.
+            file. A dense matrix has inf for unreachable points. All stored entries of a sparse matrix are
+            reached, including stored zeros.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distance_matrix([0, 2], columns=[1, 2])
@@ -460,8 +461,9 @@ class Mesh:
         shape = len(given.vertices), len(self.vertices) if ends is None else len(ends.vertices)
         # The threads that prepare do not change the numbers.
         solver = re.sub(r"threads=\d+", "", pool.solver.name)
-        told = [_native.__version__, solver, name, self._shared.crosses_non_manifold, columns is None]
         arrays = [self.vertices, self.faces, *given, *(ends or ())]
+        crosses = self._shared.crosses_non_manifold
+        told = [_native.__version__, solver, name, crosses, [array.shape for array in arrays]]
         problem = sha256(repr(told).encode() + b"".join(array.tobytes() for array in arrays)).hexdigest()
         unfinished = MatrixFile(file, shape, name, problem)
         try:

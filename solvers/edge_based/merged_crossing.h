@@ -125,8 +125,9 @@ class MergedCrossing {
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     reach_apex(h, line, wavefront);
     if (line.seen.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
-    if (line.seen.right && mesh_.twin(right) != kNone)
+    if (line.seen.right && mesh_.twin(right) != kNone) {
       go_right(right, face, line, false, wavefront);
+    }
   }
 
   /// The windows of a list cross a face; drops those that cross the shortest path to the apex.
@@ -147,8 +148,8 @@ class MergedCrossing {
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     if (mesh_.twin(left) != kNone) {
       for (std::size_t i = lines.size(); i-- > 0;) {  // the last one must come first
-        if (lines[i].seen.left)
-          go_left(left, face, lines[i], i > 0 && lines[i - 1].seen.left, wavefront);
+        if (!lines[i].seen.left) continue;
+        go_left(left, face, lines[i], i > 0 && lines[i - 1].seen.left, wavefront);
       }
     }
     if (mesh_.twin(right) != kNone) {

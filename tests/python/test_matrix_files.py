@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -98,3 +99,14 @@ def test_files_that_cannot_be_written_are_refused(mesh: Any, tmp_path: Path) -> 
         with pytest.raises(ValueError, match="is in use by another process"):
             mesh.distance_matrix([0], out=tmp_path / "m.npy")
     assert (tmp_path / "m.npy.unfinished").read_bytes() == b"something"
+
+
+def test_a_file_without_room_is_refused_and_leaves_nothing(mesh: Any, tmp_path: Path) -> None:
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
+    try:
+        with pytest.raises(OSError, match="no room for a matrix of 144 rows and 144 columns in float64"):
+            mesh.distance_matrix(out=tmp_path / "m.npy")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert os.listdir(tmp_path) == []

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
-#include "harness/base/interruption.h"
 #include "harness/external/external_solver.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
