@@ -75,10 +75,14 @@ PathSearch::Piece PathSearch::from_face(const DistanceField& field, const Intern
   spread_from(field.mesh(), end, reach, [](Index, const Point2&) {});
   if (most == kInfinity) return {};
   Piece found;
-  for (double share = 1.0 / 16; share <= 1; share *= 2) {
-    const double bound = share == 1 ? most : least + share * (most - least);
-    found = PathSearch(field, end, bound, {}).run();
-    if (found.distance <= bound) return found;
+  for (const double accuracy : accuracies(field)) {
+    for (double share = 1.0 / 16; share <= 1; share *= 2) {
+      const double bound = share == 1 ? most : least + share * (most - least);
+      PathSearch search(field, end, bound, {});
+      search.look_around(accuracy);
+      found = search.piece_from(search.best_);
+      if (found.distance <= bound) return found;
+    }
   }
   // The way over a corner has another length here by rounding.
   found.distance = most < field.farthest() ? most : kInfinity;
@@ -86,13 +90,15 @@ PathSearch::Piece PathSearch::from_face(const DistanceField& field, const Intern
 }
 
 PathSearch::Piece PathSearch::run() {
-  const double least = field_.are_shortest() ? kPathSearch : kPathSearchOfBounds;
-  for (const double share : {least, kPathWrong}) {
-    slack_ = share * (distance_ + mesh_.mean_edge_length());
-    look_around();
+  for (const double accuracy : accuracies(field_)) {
+    look_around(accuracy);
     if (best_.distance <= distance_ + slack_) break;
   }
   return piece_from(best_);
+}
+
+std::array<double, 2> PathSearch::accuracies(const DistanceField& field) {
+  return {field.are_shortest() ? kPathSearch : kPathSearchOfBounds, kPathWrong};
 }
 
 PathSearch::Piece PathSearch::run_towards(Index root, double length) {
@@ -106,7 +112,8 @@ PathSearch::Piece PathSearch::run_towards(Index root, double length) {
 }
 
 /// Considers all roots that are visible from the end.
-void PathSearch::look_around() {
+void PathSearch::look_around(double accuracy) {
+  slack_ = accuracy * (distance_ + mesh_.mean_edge_length());
   ends_.clear();
   views_.clear();
   views_of_.clear();
@@ -296,12 +303,14 @@ void PathSearch::consider(Root root, double distance, const Point2& place, const
 }
 
 /// Whether the path through the edge points is as long as the straight line of the unfolded strip.
-/// Among faces without area a strip may turn back, and rounding lets the line pass.
+/// Rounding lets the line pass where the strip does not contain it: a view along a side shows all
+/// of that side, and among faces without area a strip may turn back.
 bool PathSearch::is_straight(const Root& root) const {
   const Piece piece = piece_from(root);
   double length = piece.root_distance + piece.rest;
   for (const EdgePoint& crossing : piece.edge_points) length += crossing.step;
-  return length <= root.distance + kPathWrong * (distance_ + mesh_.mean_edge_length());
+  const double wrong = kPathWrong * (distance_ + mesh_.mean_edge_length());
+  return length <= root.distance + std::min(slack_, wrong);
 }
 
 PathSearch::Piece PathSearch::piece_from(const Root& root) const {

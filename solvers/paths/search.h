@@ -1,6 +1,7 @@
 // Searches the last straight piece of a shortest path from its end.
 #pragma once
 
+#include <array>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -93,7 +94,10 @@ class PathSearch {
     double root_distance = kInfinity;  ///< from the sources
   };
 
-  void look_around();
+  /// Tolerances of distances, relative to a length plus the mean edge; the second one is for what
+  /// is not found with the first.
+  static std::array<double, 2> accuracies(const DistanceField& field);
+  void look_around(double accuracy);
   void start_at_vertex(Index i);
   void add_end(Index vertex, Index face, Index previous);
   bool is_end(Index vertex) const;
@@ -117,7 +121,7 @@ class PathSearch {
   InternalPoint end_;
   double distance_;
   double tie_;        ///< paths whose lengths differ by less are equally short
-  double slack_ = 0;  ///< tolerance of the distances that rule views out
+  double slack_ = 0;  ///< tolerance of distances: of those that rule views out, and of the result
   std::span<const Index> passed_;
   Index aim_ = kNone;  ///< the only root that is considered; kNone: all are
   Vec3 aim_position_;  ///< of that root

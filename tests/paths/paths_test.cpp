@@ -124,6 +124,30 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
   EXPECT_EQ(paths.nearest_sources(), (std::vector<Index>{kNone, kNone, kNone, 0}));
 }
 
+// The source lies before a flat cap, the end next to the cap's apex, a saddle vertex, on the line
+// of a side of the cap. Lines of sight along that side are rounded by more than the cap is high.
+TEST(Paths, bend_at_the_apex_of_a_flat_cap_however_near_the_end_is) {
+  const double height = 3.7e-9;
+  const Mesh mesh(
+      TriangleSoup{{{3, 0, 0},
+                    {4 - height, 0, 0},
+                    {4 - height, 4, 0},
+                    {4, 1, 0},
+                    {5, 0, 0},
+                    {5, 1, 0},
+                    {4, 2, 0},
+                    {3, 2, 0}},
+                   {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {4, 5, 3}, {5, 6, 3}, {6, 7, 3}, {7, 2, 3}}});
+  for (const double near : {1e-6, 1e-8, 1e-9, 1e-10}) {
+    const SurfacePoint end = point_on_edge(mesh, 3, 6, near);
+    const Query query{.sources = {{.at = 0}}};
+    const Paths paths = oracle_paths(mesh, query);
+    const double expected = paths.distances()[3] + near;
+    EXPECT_NEAR(paths.distance_at(end), expected, 1e-14) << near;
+    EXPECT_NEAR(paths.to_point(end).length(), expected, 1e-14) << near;
+  }
+}
+
 TEST(Paths, say_which_source_is_nearest_by_the_numbers_given) {
   const Mesh mesh(rough_sphere(6, 2, 0.2), Numbering::along_surface);
   const auto solver = make_solver("edge-based", mesh);
