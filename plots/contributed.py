@@ -17,7 +17,8 @@ if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
 from plots import (
-    break_even, catalogue, headline, many_sources, path_costs, peers_overview, robustness, style, summary, twins,
+    break_even, catalogue, further_sources, headline, many_sources, path_costs, peers_overview, robustness, style,
+    summary, twins,
 )  # fmt: skip
 from plots.drawing import Drawing
 from plots.measures import ERROR, columns, errors_of, interval, percent
@@ -43,13 +44,14 @@ PICTURES: dict[str, list[str]] = {
     ROBUSTNESS: [],
 }
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
-TABLES: dict[str, Callable[[Run], Table]] = {
-    ALL_PAIRS: break_even.table, PATHS: path_costs.table, ROBUSTNESS: robustness.counts,
+TABLES: dict[str, list[Callable[[Run], Table]]] = {
+    ALL_PAIRS: [further_sources.table, break_even.table], PATHS: [path_costs.table],
+    ROBUSTNESS: [robustness.counts],
 }  # fmt: skip
 WORDS: dict[str, Callable[[Run], list[str]]] = {
     ALL_PAIRS: lambda run: [], PATHS: path_costs.sentences, ROBUSTNESS: lambda run: [],
 }  # fmt: skip
-"""Table and sentences that replace the summary and the headline, by corpus."""
+"""Tables and sentences that replace the summary and the headline, by corpus."""
 BASE = "edge-based"
 PERCENT = 1e-4
 """Least relative error that is written in percent."""
@@ -137,12 +139,12 @@ def page(runs: Mapping[str, Run], captions: Mapping[str, tuple[str, str]]) -> st
     ]
     for corpus, names in PICTURES.items():
         run = runs[corpus]
-        table = TABLES.get(corpus, summary.overall)(run)
+        tables = [table(run) for table in TABLES.get(corpus, [summary.overall])]
         sentences = WORDS.get(corpus, headline.sentences)(run)
         parts.append(f"## {corpus}\n\n{peers_overview.footer(run)}, at {run.ours['revision'][:10]}\n"
                      f"([the file](../results/contributed/{run.file.name})).\n")  # fmt: skip
         parts += [f"{' '.join(sentences)}\n"] if sentences else []
-        parts.append(to_markdown(replace(table, title="")))
+        parts += [to_markdown(replace(table, title="")) for table in tables]
         for name in names:
             title, caption = captions[name]
             parts.append(f"![{title}]({_file(name).name})\n\n{caption}\n")

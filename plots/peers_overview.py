@@ -143,7 +143,7 @@ def footer(run: Run) -> str:
 def command(run: Run) -> str:
     """Returns the command that measures the same in the root of a checkout with the meshes."""
     files = [Path(plugin["file"]) for plugin in run.ours.get("plugins", []) if "file" in plugin]
-    names = list(dict.fromkeys(file.parent.name for file in files))
+    names = list(dict.fromkeys(file.stem.removeprefix("lib") for file in files))
     known = {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}
     peers = "all" if set(names) == known else ",".join(names)
     words = run.ours["command"].split()
