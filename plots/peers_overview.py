@@ -40,7 +40,7 @@ class Line:
     group: str
     ratios: list[float]
     """Ratios to the base's time, one per mesh."""
-    worth: str
+    accuracy: str
 
     @property
     def mean(self) -> float:
@@ -89,12 +89,12 @@ def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
     means = [median([known]).value for m in run.meshes
              if (known := errors(run, m, solver, "mean_relative_error"))]  # fmt: skip
     largest = [e for m in run.meshes for e in errors(run, m, solver, "max_relative_error")]
-    worth = about.promise
+    accuracy = about.promise
     if not near and means and largest:
-        worth = f"errors: mean {percent(sum(means) / len(means))}, largest {percent(max(largest))}"
+        accuracy = f"errors: mean {percent(sum(means) / len(means))}, largest {percent(max(largest))}"
     if len(ratios) < len(run.meshes):
-        worth += f"; on {len(ratios)} of {len(run.meshes)} meshes"
-    return Line(solver, group, ratios, worth)
+        accuracy += f"; on {len(ratios)} of {len(run.meshes)} meshes"
+    return Line(solver, group, ratios, accuracy)
 
 
 def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
@@ -110,7 +110,7 @@ def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
             fontsize=9,
         )  # fmt: skip
         axes.annotate(
-            line.worth, (1.09, place), xycoords=("axes fraction", "data"), va="center", fontsize=8,
+            line.accuracy, (1.09, place), xycoords=("axes fraction", "data"), va="center", fontsize=8,
             color=style.PALE,
         )  # fmt: skip
     axes.set_yticks(range(len(lines)), [style.plain(line.solver) for line in lines])

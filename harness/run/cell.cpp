@@ -273,10 +273,10 @@ std::string Measurement::measure() {
   const bool has_counters = external == nullptr;
   solver.reset();
 
-  if (spec_.counted && has_counters) count();
-  if (spec_.counted) measure_paths();
+  if (spec_.with_counters && has_counters) count();
+  if (spec_.with_counters) measure_paths();
   const bool same = identical(solved_, verified_) || !solver_.deterministic;
-  if (spec_.pictured && same) record();
+  if (spec_.with_recordings && same) record();
   return verify_again("a recorded solve gave other distances than timed ones");
 }
 

@@ -28,11 +28,11 @@ struct CellSpec {
   std::string reference_file = {};  ///< file with its distances (verify/references.h)
   std::string output = {};          ///< the file to write: {"benchmarks": rows}
   std::string run_folder = {};
-  bool counted = true;    ///< make more solves, for counters, memory and phases
-  bool pictured = false;  ///< write recordings to the run folder; only in counted cells
-  bool frames = false;    ///< record the wavefront at every step; only in pictured cells
+  bool with_counters = true;     ///< make more solves, for counters, memory and phases
+  bool with_recordings = false;  ///< write recordings to the run folder; only with counters
+  bool frames = false;           ///< record the wavefront at every step; only with recordings
   int other_queries = 0;  ///< number of solves from other vertices, before another from the source
-  int path_targets = 0;   ///< targets to measure paths to, in counted cells of solvers with paths
+  int path_targets = 0;   ///< targets to measure paths to, with counters, of solvers with paths
   std::string further_sources = {};    ///< file with vertices to solve from, one after the other
   std::string further_reference = {};  ///< the exact solver of their distances; empty: none
   std::string further_reference_file = {};  ///< file with their distances
@@ -41,8 +41,8 @@ struct CellSpec {
   bool repair = false;  ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sources_file,
-                      reference, reference_file, output, run_folder, counted, pictured, frames,
-                      other_queries, path_targets, further_sources, further_reference,
+                      reference, reference_file, output, run_folder, with_counters, with_recordings,
+                      frames, other_queries, path_targets, further_sources, further_reference,
                       further_reference_file, vectors, benchmark_flags, repair)
 
 /// A solve whose distances verify other solvers.
@@ -58,8 +58,8 @@ struct ReferenceSpec {
 GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, each, output, repair)
 
 /// Prepares the solver, verifies a warm-up solve, solves from other sources and again from this
-/// one, times solves and, in a counted cell, records more with new solver objects. Then it writes
-/// the recordings of a pictured cell, and the rows. If distances are wrong or differ between these
+/// one, times solves and, with_counters, records more with new solver objects. Then it writes the
+/// recordings, if wanted, and the rows. If distances are wrong or differ between these
 /// solves, the only row has the error and no time.
 /// @throws the exceptions of mesh reader, solver and disk; the run writes an error row for them
 void run_cell(const CellSpec& spec);

@@ -156,7 +156,7 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
 /// A point of a half-edge's face in the frame of the twin. In a face without area the point may lie
 /// on the edge. Between the edge's ends it is then moved off the edge by kTouchingHeight, so that
 /// its lines have a side. A point that coincides with an end is not moved: the windows of a
-/// collapsed edge's two ends would go round it without end.
+/// collapsed edge's two ends would propagate around it without end.
 inline Point2 seen_from_beyond(const Point2& p, double length) {
   const double margin = kWindowWidth * length;
   const bool between = p.x > margin && p.x < length - margin;

@@ -674,7 +674,7 @@ TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
   EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
 }
 
-TEST_F(RunTest, AnOracleThatAnotherExactSolverContradictsJudgesNoSolver) {
+TEST_F(RunTest, AReferenceThatDisagreesWithAnotherExactSolverIsNotUsed) {
   const Output run =
       run_suite(kFaultyProgram, {"--solvers", "wrong," + exact_solver(), "--meshes", "tetrahedron",
                                  "--sources", "1", "--reference", "oracle?off=0.1"});

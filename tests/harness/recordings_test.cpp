@@ -36,7 +36,7 @@ TEST_F(RecordedCells, AreByDefaultTheFirstSourceOfMeshesOfReasonableSize) {
   EXPECT_TRUE(leaves_recordings(cell(1000, 7, bound_), Recordings::automatic));
 }
 
-TEST_F(RecordedCells, AreAllOrNoneWhereThatIsWished) {
+TEST_F(RecordedCells, AreWrittenForAllCellsOrForNone) {
   EXPECT_TRUE(leaves_recordings(cell(3, 9, bound_), recordings_named("all")));
   EXPECT_FALSE(leaves_recordings(cell(1000, 7, exact_), recordings_named("none")));
   expect_error([] { recordings_named("non"); },

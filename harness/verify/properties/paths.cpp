@@ -340,7 +340,7 @@ TriangleSoup reflex_corner() {
 
 /// The straight line from the point to a vertex behind the corner misses the corner by less than
 /// the distance between point and corner, and is shorter than the right path by about as much.
-void near_points_go_round_a_corner(const Trial& trial) {
+void distances_lead_around_a_near_corner(const Trial& trial) {
   const Mesh& mesh = trial.mesh();
   const auto solver = trial.prepare();
   for (const double share : {1e-3, 1e-5, 1e-7, 1e-9, 2e-10, 7e-11, 1e-11, 1e-13}) {
@@ -460,12 +460,12 @@ std::vector<Property> path_properties() {
        "from several points of a plane, wherever they lie, distances are Euclid's to the nearest",
        planes, nearest_points_of_a_plane_are_euclids, kSurfaceSources | kMultipleSources,
        /*on_any_mesh=*/false},
-      {"points-next-to-a-corner-of-a-boundary-go-round-it",
-       "from a point a hair before a reflex corner paths go round it",
+      {"distances-beside-a-corner-of-a-boundary-lead-around-it",
+       "from a point close to a reflex corner distances are those of paths around the corner",
        [] {
          return Cases{{"reflex corner", reflex_corner(), {from(4)}}};
        },
-       near_points_go_round_a_corner, kSurfaceSources, /*on_any_mesh=*/false},
+       distances_lead_around_a_near_corner, kSurfaceSources, /*on_any_mesh=*/false},
   };
 }
 
