@@ -11,7 +11,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare()  # before imports that may fail
 
-from plots.catalogue import EVERYTHING, NUMBERED, draw_files
+from plots.catalogue import EVERYTHING, draw_files
 from results.names import unknown_name
 from results.reader import ResultError, read_run, run_folder
 
@@ -32,8 +32,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )  # fmt: skip
     options = parser.parse_args(arguments)
     for name in options.names:
-        if NUMBERED.get(name, name) not in EVERYTHING:
-            parser.error(unknown_name("table or figure", name, [*EVERYTHING, *NUMBERED]))
+        if name not in EVERYTHING:
+            parser.error(unknown_name("table or figure", name, EVERYTHING))
     try:
         folder = run_folder(options.run)
         run = read_run(folder)

@@ -6,19 +6,18 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from urllib.parse import quote
 
 from plots import (
-    answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    further_sources, growth, many, many_sources, overview, path_costs, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
-    table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
+    answers, break_even, curves, dot_figures, drawing, error_map, frontier, further_sources, growth, isoline_figure, many,
+    many_sources, overview, path_costs, paths, peers_overview, performance, performance_profile, phases, ratio_tables,
+    robustness, solvers, strip_depth, summary, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing, Picture
-from plots.models import of_thesis
 from plots.ratios import MANY
 from results import table
 from results.reader import ResultError, Run
@@ -29,11 +28,11 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "summary_by_mesh": summary.by_mesh,
     "every_solver": summary.every,
     "table_thesis": table_thesis.table,
-    "table_5_1": table_5_1.table,
-    "table_5_2": table_5_2.table,
-    "table_5_2_ratios": table_5_2_ratios.ratios,
-    "table_5_2_claims": table_5_2_ratios.claims,
-    "table_5_3": table_5_3.table,
+    "strip_depth": strip_depth.table,
+    "performance": performance.table,
+    "ratios": ratio_tables.ratios,
+    "claims": ratio_tables.claims,
+    "solvers": solvers.table,
     "table_growth": growth.table,
     "table_growth_exponents": growth.exponents,
     "answers": answers.table,
@@ -59,12 +58,12 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "windows_over_limit": dot_figures.windows_over_limit,
     "time_over_vertices": growth.figure,
     "accuracy": dot_figures.accuracy,
-    "figure_5_7": wavefronts.wavefront_and_isoline,
-    "figure_5_8": curves.windows,
-    "figure_5_9": figure_5_9.figure,
-    "figure_5_10": dot_figures.wavefront_quality,
-    "figure_5_10_curve": curves.spread,
-    "figure_6_4": figure_6_4.figure,
+    "wavefront_and_isoline": wavefronts.wavefront_and_isoline,
+    "windows_on_wavefront": curves.windows,
+    "phases": phases.figure,
+    "wavefront_quality": dot_figures.wavefront_quality,
+    "wavefront_quality_over_progress": curves.spread,
+    "isolines": isoline_figure.figure,
     "paths": paths.figure,
     "cells": paths.cells,
     "break_even": break_even.figure,
@@ -72,7 +71,7 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "many_sources": many_sources.figure,
     "paths_compared": path_costs.figure,
     "error_map": error_map.figure,
-    **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
+    **{f"wavefront_{solver.replace('-', '_')}": wavefronts.appendix(solver) for solver in wavefronts.APPENDIX},
 }
 """Figures in the order of the report. A function raises ResultError if the run lacks the data."""
 
@@ -82,18 +81,9 @@ OF = "_of_"
 """Separates a figure's name from the name of a mesh, also in file names."""
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
-NEUTRAL = {
-    "table_5_1": "strip_depth", "table_5_2": "performance", "table_5_2_ratios": "ratios",
-    "table_5_3": "solvers", "figure_5_7": "wavefront_and_isoline", "figure_5_8": "windows_on_wavefront",
-    "figure_5_9": "phases", "figure_5_10": "wavefront_quality",
-    "figure_5_10_curve": "wavefront_quality_over_progress", "figure_6_4": "isolines",
-    **{name: f"wavefront_{solver.replace('-', '_')}" for name, solver in wavefronts.APPENDIX.items()},
-}  # fmt: skip
-"""Names for a run without a mesh of the thesis, by the names that contain a number of the thesis."""
-NUMBERED = {neutral: name for name, neutral in NEUTRAL.items()}
 WITH_SECONDS = {
-    "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth",
-    "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
+    "summary_by_mesh", "every_solver", "table_thesis", "performance", "table_growth",
+    "table_growth_exponents", "answers", "break_even_numbers", "phases", "time_over_vertices",
     "break_even", "frontier", "which_to_take", "which_to_take_mean", "path_numbers",
 }  # fmt: skip
 """Tables and figures that show times, which one processor must have measured. The others show counts,
@@ -107,7 +97,7 @@ OF_SETS = {
 
 OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
     "summary": summary.overall,
-    "table_5_3": table_5_3.table,
+    "solvers": solvers.table,
     "overview": many.overview,
     "time_over_vertices": many.over_vertices,
 }
@@ -120,13 +110,8 @@ def known_of(run: Run) -> dict[str, Callable[[Run], Table | Drawing]]:
 
 
 def base_name(name: str) -> str:
-    """Returns the name in EVERYTHING or NEUTRAL, without mesh."""
+    """Returns the name in EVERYTHING, without mesh."""
     return name.split(OF)[0]
-
-
-def _neutral(name: str) -> str:
-    base = base_name(name)
-    return NEUTRAL.get(base, base) + name.removeprefix(base)
 
 
 def _parts(run: Run, name: str) -> dict[str, Run]:
@@ -151,14 +136,14 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
     """Returns the tables and figures for which the run has the data, and the reasons for those left out.
     Both are by name; a figure of one mesh has a name like "frontier_of_horse".
 
-    @param names keys of EVERYTHING, or the names in NEUTRAL; empty: all
+    @param names keys of EVERYTHING; empty: all
     @raises ResultError for a run of several programs"""
     if len(run.columns.texts.get("program", ())) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
     known = known_of(run)
-    for one in (NUMBERED.get(name, name) for name in names or known):
+    for one in names or known:
         if one not in known:
             left_out[one] = (
                 f"{run.file}: drawn of at most {MANY} meshes, which --meshes chooses; "
@@ -172,13 +157,7 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
             except ResultError as error:
                 if OF not in name or str(error) not in left_out.values():
                     left_out[name] = str(error)
-    if of_thesis(run):
-        return drawn, left_out
-    neutral = {_neutral(name): one for name, one in drawn.items()}
-    return {
-        name: replace(one, name=_neutral(one.name)) if isinstance(one, Table) else one
-        for name, one in neutral.items()
-    }, {_neutral(name): why for name, why in left_out.items()}
+    return drawn, left_out
 
 
 @dataclass(frozen=True)

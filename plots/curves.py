@@ -57,7 +57,7 @@ def windows(run: Run) -> Drawing:
     figure.get_layout_engine().set(wspace=0.06)
     _legend(list(grid.flat))
     return Drawing(
-        title=titled(run, "Figure 5.8", "windows on the wavefront"),
+        title=titled(run, "Windows on the wavefront", "Figure 5.8"),
         caption=sentences(
             "Windows on the wavefront, at equal steps of the vertices reached, over the mean "
             "distance of these windows. The axis ends where a solver is far beyond the others.",
@@ -83,7 +83,7 @@ def spread(run: Run) -> Drawing:
     panels[0].set_ylabel("wavefront SD (mean edge lengths)")
     _legend(list(panels))
     return Drawing(
-        title=titled(run, "Figure 5.10", "wavefront quality over progress"),
+        title=titled(run, "Wavefront quality over progress", "Figure 5.10"),
         caption=sentences(
             "Standard deviation of the distances of the windows on the wavefront at equal steps of "
             "the vertices reached"

@@ -135,7 +135,7 @@ def wavefront_quality(run: Run) -> Drawing:
         "bootstrap intervals. Smaller is a smoother wavefront.",
         beside_thesis(run, "The thesis prints no numbers for it."),
     ]
-    return estimates(run, SD.label, measured, words, titled(run, "Figure 5.10", "wavefront quality"))
+    return estimates(run, SD.label, measured, words, titled(run, "Wavefront quality", "Figure 5.10"))
 
 
 LEAST_ALIKE, ALIKE = 3, 1.01

@@ -31,10 +31,10 @@ def of_thesis(run: Run) -> list[Mesh]:
     return [mesh for mesh in ordered_meshes(run) if mesh.thesis_model]
 
 
-def titled(run: Run, number: str, words: str) -> str:
-    """Returns a title such as "Figure 5.9: statistics of running time", or "Statistics of running time" if
+def titled(run: Run, title: str, number: str) -> str:
+    """Returns a title such as "Statistics of running time (Figure 5.9 of the thesis)", or only its words if
     no mesh of the run is or stands for a model of the thesis."""
-    return f"{number}: {words}" if of_thesis(run) else words[0].upper() + words[1:]
+    return title + beside_thesis(run, f" ({number} of the thesis)")
 
 
 def beside_thesis(run: Run, words: str) -> str:

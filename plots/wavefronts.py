@@ -69,11 +69,8 @@ class Pictures:
         )
 
 
-APPENDIX = {
-    "figure_a_1": "edge-based", "figure_a_2": "mmp", "figure_a_3": "fwp-mmp", "figure_a_4": "ich",
-    "figure_a_5": "fwp-ch",
-}  # fmt: skip
-"""The solver whose wavefront each of the appendix's figures shows."""
+APPENDIX = {"edge-based": "A.1", "mmp": "A.2", "fwp-mmp": "A.3", "ich": "A.4", "fwp-ch": "A.5"}
+"""The number of the appendix's figure that shows a solver's wavefront, by solver."""
 
 
 def wavefront_and_isoline(run: Run) -> Drawing:
@@ -90,7 +87,7 @@ def wavefront_and_isoline(run: Run) -> Drawing:
         wavefront,
     )
     return Drawing(
-        title=titled(run, "Figure 5.7", "wavefront and isoline"),
+        title=titled(run, "Wavefront and isoline", "Figure 5.7"),
         caption=sentences(
             f"Blue: windows on the wavefront of {EDGE_BASED} on {recording.mesh.label} when "
             f"{moment}% of the vertices were reached. Red: the isoline of the vertices' exact "
@@ -102,11 +99,9 @@ def wavefront_and_isoline(run: Run) -> Drawing:
     )
 
 
-def appendix(name: str) -> Callable[[Run], Drawing]:
-    """@param name a key of APPENDIX
+def appendix(solver: str) -> Callable[[Run], Drawing]:
+    """@param solver a key of APPENDIX
     @return a function that draws the figure; it raises ResultError without the solver's recordings"""
-    solver = APPENDIX[name]
-    number = name[-1]
 
     def draw(run: Run) -> Drawing:
         recording = recordings(run)[0]
@@ -123,7 +118,7 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
             recording.wavefront(base, MOMENT),
         )
         return Drawing(
-            title=titled(run, f"Figure A.{number}", f"wavefront of {solver}"),
+            title=titled(run, f"Wavefront of {solver}", f"Figure {APPENDIX[solver]}"),
             caption=sentences(
                 f"Windows on the wavefront of {solver} on {recording.mesh.label} when {MOMENT}% of "
                 "the vertices were reached; the figure of each other solver shows the same moment from the "

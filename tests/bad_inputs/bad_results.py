@@ -86,7 +86,7 @@ CASES = [
          files={"run.json": UNKNOWN_MESH}),
     Case("check_run.py: NaN", "check_run.py .", ["benchmarks[0].cpu_time: nan is not a finite"],
          files={"run.json": NOT_A_NUMBER}),
-    Case("plots table_5_1: cut", "plots table_5_1 --run .", ["run.json: not JSON, perhaps truncated"],
+    Case("plots strip_depth: cut", "plots strip_depth --run .", ["run.json: not JSON, perhaps truncated"],
          files={"run.json": FILES["cut"]}),
     Case("report.py: a file in place of its folder", f"report.py '{GOLDEN}'",
          ["geodesic-bench report: ", "run.json: no such folder"]),

@@ -73,7 +73,7 @@ def test_any_name_of_a_file_or_folder_will_do(name: str, bash: Bash, tmp_path: P
     assert (folder / "d.txt").read_bytes() == (here / "plain.txt").read_bytes()
     run = f"geodesic-bench run --meshes {quoted} --solvers mmp --sources 1 --min-time 0.00001"
     for command in (f"{run} --repetitions 1 --out {out}", f"check_run.py {out}",
-                    f"plots table_5_2 --run {out}", f"geodesic-bench compare {out} {out}"):  # fmt: skip
+                    f"plots performance --run {out}", f"geodesic-bench compare {out} {out}"):  # fmt: skip
         ended = bash(f"{environment} {command}")
         assert ended.returncode == 0, ended
     assert not (here / "x").exists()
@@ -104,7 +104,7 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
     (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
     for command in (
         "check_run.py .",
-        "plots table_5_2 --run .",
+        "plots performance --run .",
         "geodesic-bench compare . .",
     ):
         ended = bash(command)

@@ -86,7 +86,7 @@ def test_the_umask_decides_who_may_read(bash: Bash, tmp_path: Path) -> None:
     ended = bash(
         f"umask 077; {SOLVE} d.txt && geodesic-bench run --meshes hill.obj --solvers mmp"
         " --sources 1 --repetitions 1 --min-time 0.00001 --recordings all --out run"
-        f" && plots table_5_1 --run '{GOLDEN.parent}' --out tables"
+        f" && plots strip_depth --run '{GOLDEN.parent}' --out tables"
         " && fetch.py tiny-plate"
     )
     assert ended.returncode == 0, ended

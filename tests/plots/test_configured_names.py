@@ -42,7 +42,7 @@ def test_the_name_is_in_every_table_of_all_solvers_in_every_format(run: Run) -> 
     drawn, _ = draw(run)
     tables = {name: table for name, table in drawn.items() if isinstance(table, Table)}
     named = [table for table in tables.values() if NAME in FORMATS[".md"](table)]
-    assert {"summary", "table_5_2", "table_5_3"} <= {table.name for table in named}
+    assert {"summary", "performance", "solvers"} <= {table.name for table in named}
     assert f"{NAME} (within 0.01)" in FORMATS[".md"](tables["summary"])
     for table in named:
         assert IN_LATEX in FORMATS[".tex"](table), table.name

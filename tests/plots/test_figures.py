@@ -25,7 +25,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 from synthetic import Data, changed_rows, data_of, of_solvers, with_rows, without_recordings
 
-from plots import catalogue, dot_figures, figure_5_9, growth, style
+from plots import catalogue, dot_figures, growth, phases, style
 from plots.catalogue import FIGURES
 from plots.dots import BEYOND
 from plots.drawing import Drawing
@@ -40,8 +40,8 @@ NEEDS = {
     "frontier": ["cpu_time"],
     "many_sources": ["cpu_time"],
     "paths_compared": ["paths"],
-    "figure_5_9": ["phase_seconds"],
-    "figure_5_10": ["wavefront_sd_edges"],
+    "phases": ["phase_seconds"],
+    "wavefront_quality": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
     "peers_overview": ["cpu_time"],
     "performance_profile": ["cpu_time"],
@@ -52,9 +52,9 @@ NEEDS = {
 """Numbers of a row that a figure needs, by figure. Other figures are drawn from recordings."""
 SHOWN: dict[str, set[str]] = {
     "break_even": set(), "error_map": set(), "frontier": set(THESIS_SOLVERS) - {"fwp-ch"},
-    "figure_5_7": {"edge-based"}, "figure_6_4": set(), "paths": set(), "cells": set(),
-    "figure_a_1": {"edge-based"}, "figure_a_2": {"mmp"}, "figure_a_3": {"fwp-mmp"}, "figure_a_4": {"ich"},
-    "figure_a_5": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {"mmp"},
+    "wavefront_and_isoline": {"edge-based"}, "isolines": set(), "paths": set(), "cells": set(),
+    "wavefront_edge_based": {"edge-based"}, "wavefront_mmp": {"mmp"}, "wavefront_fwp_mmp": {"fwp-mmp"},
+    "wavefront_ich": {"ich"}, "wavefront_fwp_ch": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {"mmp"},
     "time_over_vertices": set(THESIS_SOLVERS) - {"fwp-ch"},
 }  # fmt: skip
 """Solvers of the thesis that a figure shows, by figure. Other figures show all of them."""
@@ -314,7 +314,7 @@ class TestEveryFigure:
         if name == "time_over_vertices":
             odd = {mesh: f"a$b_%{{c$d_{i}" for i, mesh in enumerate(run.meshes)}
         names = {"dijkstra": "my$own_%{v$", "fwp-ch": "f$w{", "ich": r"i\$c{"}
-        if name in ("figure_a_4", "figure_a_5"):
+        if name in ("wavefront_ich", "wavefront_fwp_ch"):
             names = {}
         whole = run if name == "time_over_vertices" else suited(name, run)
         drawn = drawn_texts(FIGURES[name](renamed(whole, odd, names)).figure)
@@ -340,7 +340,7 @@ def test_the_same_run_gives_the_same_bytes_in_any_process(run: Run, tmp_path: Pa
 
 def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> None:
     drawn, why = catalogue.draw(golden_run)
-    assert "phase_seconds" in why.pop("figure_5_9") and why.pop("figure_5_10")
+    assert "phase_seconds" in why.pop("phases") and why.pop("wavefront_quality")
     for words, names in {
         "of one surface": ["table_growth", "table_growth_exponents", "time_over_vertices"],
         "run --corpus robustness": ["robustness", "robustness_counts", "robustness_failures"],
@@ -353,11 +353,12 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
     }.items():
         assert all(words in why.pop(name) for name in names)
     assert list(why) == [
-        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "paths", "cells", "error_map",
-        *(f"figure_a_{number}" for number in range(1, 6)),
+        "wavefront_and_isoline", "windows_on_wavefront", "wavefront_quality_over_progress", "isolines", "paths",
+        "cells", "error_map", "wavefront_edge_based", "wavefront_mmp", "wavefront_fwp_mmp", "wavefront_ich",
+        "wavefront_fwp_ch",
     ]  # fmt: skip
     assert all("no recordings" in words for words in why.values())
-    assert {"table_5_2", "speedup", "overview"} <= drawn.keys()
+    assert {"performance", "speedup", "overview"} <= drawn.keys()
 
 
 @pytest.mark.parametrize("name", ["overview", "speedup", "time_over_vertices"])
@@ -404,14 +405,14 @@ def test_a_known_solver_looks_the_same_beside_unknown_ones() -> None:
 
 
 def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
-    one = figure_5_9.split(run, "horse", "ich")
+    one = phases.split(run, "horse", "ich")
     assert one is not None
     shares = {name: value / one.time for (name, _, _), value in one.parts()}
     assert shares == pytest.approx(
         {"window propagation": 0.45, "window trimming": 0.2, "queue maintenance": 0.3, "rest": 0.05},
         rel=0.02,
     )
-    axes = figure_of("figure_5_9", run).axes[0]
+    axes = figure_of("phases", run).axes[0]
     row = [bar for bar in axes.patches if round(bar.get_y() + bar.get_height() / 2) == 2]
     assert sum(bar.get_width() for bar in row) == pytest.approx(1e3 * one.time)
 
@@ -431,23 +432,23 @@ def test_errors_that_all_solvers_share_are_called_those_of_the_reference(run: Ru
 
 @pytest.mark.parametrize("factor", [0.85, 0.95, 1.05, 1.15])
 def test_a_bar_whose_phases_do_not_add_up_to_the_timed_solve_is_not_drawn(run: Run, factor: float) -> None:
-    timed = figure_5_9.split(run, "horse", "ich")
+    timed = phases.split(run, "horse", "ich")
     assert timed is not None
-    phases = {key: factor * timed.time / 3 for key in figure_5_9.PHASES} | {"timer_overhead": 0.001}
-    changed = with_number(run, "ich", "horse", "phase_seconds", phases)
-    one = figure_5_9.split(changed, "horse", "ich")
+    seconds = {key: factor * timed.time / 3 for key in phases.PHASES} | {"timer_overhead": 0.001}
+    changed = with_number(run, "ich", "horse", "phase_seconds", seconds)
+    one = phases.split(changed, "horse", "ich")
     assert one is not None and sum(value for _, value in one.parts()) == pytest.approx(one.time)
-    drawn = "ich" in [one.solver for one in figure_5_9.splits(changed, "horse")]
+    drawn = "ich" in [one.solver for one in phases.splits(changed, "horse")]
     assert drawn == (0.9 < factor < 1.1)
-    assert (f"ich on horse ({factor - 1:+.0%})" in figure_5_9.figure(changed).caption) != drawn
+    assert (f"ich on horse ({factor - 1:+.0%})" in phases.figure(changed).caption) != drawn
 
 
 def test_the_split_is_shown_for_two_models_of_the_thesis_or_those_asked_for(run: Run) -> None:
-    titles = [axes.get_title("left") for axes in figure_of("figure_5_9", run).axes]
+    titles = [axes.get_title("left") for axes in figure_of("phases", run).axes]
     assert titles == [
         "horse, 48,485 vertices", "rocker-arm (stand-in for rocker arm), 10,044 vertices",
     ]  # fmt: skip
-    drawn = figure_5_9.figure(run.of_meshes(["flat-grid"]))
+    drawn = phases.figure(run.of_meshes(["flat-grid"]))
     assert [axes.get_title("left")[:9] for axes in drawn.figure.axes] == ["flat-grid"]
 
 
@@ -456,18 +457,18 @@ def test_a_solver_without_phases_is_named(run: Run) -> None:
         kept = {k: v for k, v in row.items() if k != "phase_seconds"}
         return kept if row["solver"] == "ich" else row
 
-    drawn = figure_5_9.figure(changed_rows(run, drop))
-    assert f"Without phases: ich on horse ({figure_5_9.ABSENT})" in drawn.caption
+    drawn = phases.figure(changed_rows(run, drop))
+    assert f"Without phases: ich on horse ({phases.ABSENT})" in drawn.caption
 
 
 def test_wavefront_quality_is_drawn_where_it_is(run: Run) -> None:
-    marks = dots_of(figure_of("figure_5_10", run), "^")
+    marks = dots_of(figure_of("wavefront_quality", run), "^")
     assert [float(mark.get_xdata()[0]) for mark in marks] == pytest.approx([0.4] * 3)
 
 
 def test_a_solver_far_beyond_the_thesis_s_is_written_at_the_edge(run: Run) -> None:
     far = with_number(run, "ch", "flat-grid", "wavefront_sd_edges", 1000 * BEYOND)
-    figure = figure_of("figure_5_10", far)
+    figure = figure_of("wavefront_quality", far)
     assert figure.axes[0].get_xlim()[1] < 2
     assert [text.get_text()[:5] for text in figure.axes[0].texts] == ["2,500"]
     assert cut_texts(figure) == []

@@ -86,7 +86,7 @@ def test_failed_skipped_and_left_out_are_all_on_the_page(page: Page) -> None:
     for words in [
         "ich/rocker-arm/src:4711: crashed", "fwp-ch/flat-grid/src:0: wrong answer",
         "stanford-bunny: not in the dataset cache", "Without a time ch: skipped on horse: ",
-        "figure_5_9: no verified cell has phase_seconds", "3 answers failed or missing",
+        "phases: no verified cell has phase_seconds", "3 answers failed or missing",
     ]:  # fmt: skip
         assert words in page.text
 

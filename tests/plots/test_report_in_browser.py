@@ -43,12 +43,12 @@ def header(page: Any, table: str, index: int) -> Any:
 def test_numbers_sort_as_numbers_up_and_down_and_back(
     page: Any, index: int, numbers: list[str], without: list[str]
 ) -> None:
-    original = column(page, "table_5_1", index)
+    original = column(page, "strip_depth", index)
     states = []
     for _ in range(3):
-        clicked = header(page, "table_5_1", index)
+        clicked = header(page, "strip_depth", index)
         clicked.find_element(By.TAG_NAME, "button").click()
-        states.append((clicked.get_attribute("aria-sort"), column(page, "table_5_1", index)))
+        states.append((clicked.get_attribute("aria-sort"), column(page, "strip_depth", index)))
     assert states == [
         ("ascending", [*numbers, *without]),
         ("descending", [*numbers[::-1], *without]),
@@ -57,16 +57,16 @@ def test_numbers_sort_as_numbers_up_and_down_and_back(
 
 
 def test_sorted_rows_say_which_model_they_belong_to(page: Any) -> None:
-    assert "" in column(page, "table_5_2", 0)
-    header(page, "table_5_2", 2).find_element(By.TAG_NAME, "button").click()
-    labels = column(page, "table_5_2", 0)
+    assert "" in column(page, "performance", 0)
+    header(page, "performance", 2).find_element(By.TAG_NAME, "button").click()
+    labels = column(page, "performance", 0)
     assert "horse" in labels and "" not in labels
 
 
 def test_the_keyboard_sorts_and_one_column_at_a_time_is_sorted(page: Any) -> None:
     for index in (0, 2):
-        header(page, "table_5_1", index).find_element(By.TAG_NAME, "button").send_keys(Keys.ENTER)
-    states = [header(page, "table_5_1", i).get_attribute("aria-sort") for i in (0, 2)]
+        header(page, "strip_depth", index).find_element(By.TAG_NAME, "button").send_keys(Keys.ENTER)
+    states = [header(page, "strip_depth", i).get_attribute("aria-sort") for i in (0, 2)]
     assert states == ["none", "ascending"]
 
 
@@ -120,7 +120,7 @@ def test_in_print_headers_have_words_and_what_is_for_clicking_is_gone(page: Any)
     page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     try:
         words = page.execute_script(
-            """const header = document.querySelector('#table_5_1 thead th');
+            """const header = document.querySelector('#strip_depth thead th');
                return getComputedStyle(header, '::before').content"""
         )
         assert json.loads(words) == "Model"

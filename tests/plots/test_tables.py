@@ -1,7 +1,7 @@
 """The tables of the golden run, in every format. They contain all failures.
 
 After an intended change: python3 -m plots summary summary_by_mesh every_solver table_thesis \\
-  table_5_1 table_5_2 table_5_2_ratios table_5_2_claims table_5_3 --run tests/plots/golden/run \\
+  strip_depth performance ratios claims solvers --run tests/plots/golden/run \\
   --out tests/plots/golden/tables
 """
 
@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 from synthetic import Changed
 
-from plots import ratios, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3
+from plots import performance, ratio_tables, ratios, solvers, strip_depth, summary
 from plots.catalogue import TABLES
 from plots.measures import percent, time_unit
 from results import published
@@ -30,8 +30,8 @@ from results.table import (
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
 NAMES = [
-    "summary", "summary_by_mesh", "every_solver", "table_thesis", "table_5_1", "table_5_2",
-    "table_5_2_ratios", "table_5_2_claims", "table_5_3",
+    "summary", "summary_by_mesh", "every_solver", "table_thesis", "strip_depth", "performance",
+    "ratios", "claims", "solvers",
 ]  # fmt: skip
 
 
@@ -54,7 +54,7 @@ def test_tables_are_the_golden_ones(golden_run: Run, golden_tables: Path, name: 
         assert render(table) == (golden_tables / f"{name}{extension}").read_text(), extension
 
 
-@pytest.mark.parametrize("name", ["table_5_1", "table_5_2_ratios"])
+@pytest.mark.parametrize("name", ["strip_depth", "ratios"])
 def test_a_table_can_be_drawn_alone(
     golden_folder: Path, tmp_path: Path, name: str
 ) -> None:
@@ -67,13 +67,13 @@ def test_a_table_can_be_drawn_alone(
 
 def test_a_run_that_has_nothing_to_do_with_the_thesis_does_not_show_it(golden_run: Run) -> None:
     run = golden_run.of_meshes(["flat-grid"])
-    assert "published" not in to_markdown(table_5_2.table(run)).lower()
+    assert "published" not in to_markdown(performance.table(run)).lower()
     with pytest.raises(ResultError, match="no mesh is or stands for a model of the thesis"):
-        table_5_2_ratios.claims(run)
+        ratio_tables.claims(run)
 
 
 def test_out_of_memory_of_the_thesis_is_shown(changed: Changed) -> None:
-    table = table_5_2.table(read_run(changed(paper_like)))
+    table = performance.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
     cell = field_of(table, terrain, "Time (s), published for cervino terrain", "mmp")
     assert cell.text == "out of memory"
@@ -99,7 +99,7 @@ def paper_like(data: dict[str, Any]) -> None:
 
 
 def test_rows_are_in_the_thesis_s_order_whatever_the_run_s(changed: Changed) -> None:
-    table = table_5_1.table(read_run(changed(paper_like)))
+    table = strip_depth.table(read_run(changed(paper_like)))
     assert [(row[0].text, row[1].text) for row in table.rows] == [
         ("horse", "the thesis's horse"),
         ("rocker-arm-482k", "stand-in for rocker arm"),
@@ -110,7 +110,7 @@ def test_rows_are_in_the_thesis_s_order_whatever_the_run_s(changed: Changed) -> 
 
 
 def test_published_ratios_stand_once_under_all_meshes_of_a_model(changed: Changed) -> None:
-    table = table_5_2_ratios.ratios(read_run(changed(paper_like)))
+    table = ratio_tables.ratios(read_run(changed(paper_like)))
     first = [row[1:3] for row in table.rows if row[0].text == "Time / edge-based"]
     rocker_arm = [(model.text, origin.text) for model, origin in first if "rocker" in model.text]
     assert rocker_arm == [
@@ -121,7 +121,7 @@ def test_published_ratios_stand_once_under_all_meshes_of_a_model(changed: Change
 
 
 def test_huge_counts_are_grouped_by_thousands(changed: Changed) -> None:
-    table = table_5_2.table(read_run(changed(paper_like)))
+    table = performance.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
     assert "F: 3,145,728" in [row[0] for row in rows_of(table, terrain)]
     assert field_of(table, terrain, "Window propagations", "edge-based").text == "3,271,799,000"
@@ -138,10 +138,10 @@ def test_solver_that_was_not_run_has_no_column_and_another_gives_the_limit(
         data["benchmarks"] = [row for row in data["benchmarks"] if row["solver"] in names]
 
     run = read_run(changed(change))
-    table = table_5_2.table(run)
+    table = performance.table(run)
     assert "mmp" not in table.header
     assert field_of(table, "horse", "Window propagations", "Window limit").text == "2,870,000"
-    ratios = table_5_2_ratios.ratios(run)
+    ratios = ratio_tables.ratios(run)
     assert "Time / edge-based" not in {row[0].text for row in ratios.rows}
     assert summary.overall(run).header[1] == "Time / fwp-mmp"
 
@@ -155,10 +155,10 @@ def test_cell_without_any_row_is_missing(changed: Changed) -> None:
         ]
 
     run = read_run(changed(change))
-    table = table_5_2.table(run)
+    table = performance.table(run)
     assert field_of(table, "horse", "Time (ms)", "edge-based").text == "missing"
     assert ["horse", "the thesis's horse", "48,485", "missing", "missing"] in [
-        [cell.text for cell in row[:5]] for row in table_5_1.table(run).rows
+        [cell.text for cell in row[:5]] for row in strip_depth.table(run).rows
     ]
 
 
@@ -174,9 +174,9 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
     run = read_run(changed(change))
     compared = {"table_thesis", "summary_by_mesh"}  # they contain numbers only
     assert all(TABLES[name](run).name == name for name in NAMES if name not in compared)
-    table = table_5_2.table(run)
+    table = performance.table(run)
     assert field_of(table, "horse", "Time (s)", "mmp").text == "crashed"
-    claims = table_5_2_ratios.claims(run)
+    claims = ratio_tables.claims(run)
     assert {row[5].text for row in claims.rows} == {"crashed"}
 
 
@@ -187,7 +187,7 @@ def test_ratios_are_paired_by_source_and_repetition(changed: Changed) -> None:
             drift = (1 + row["source"]) * (1 + row["repetition_index"])
             row["cpu_time"] = drift * (5 if row["solver"] == "mmp" else 1)
 
-    table = table_5_2_ratios.ratios(read_run(changed(change)))
+    table = ratio_tables.ratios(read_run(changed(change)))
     row = next(r for r in table.rows if r[1].text == "horse" and r[2].text == "ours")
     assert row[table.header.index("mmp")].text == "5.000 [5.000, 5.000]"
 
@@ -198,16 +198,16 @@ def test_unknown_model_of_the_thesis_is_an_error(changed: Changed) -> None:
 
     run = read_run(changed(change))
     with pytest.raises(ResultError, match="'cow' is not a model.*rocker arm"):
-        table_5_1.table(run)
+        strip_depth.table(run)
 
 
-def test_table_5_3_has_the_solver_s_own_description_and_what_the_thesis_says(
+def test_the_table_of_solvers_has_their_own_description_and_what_the_thesis_says(
     changed: Changed,
 ) -> None:
     def change(data: dict[str, Any]) -> None:
         data["context"]["geodesic_bench"]["solvers"][2]["remarks"] = "a | heap"
 
-    table = table_5_3.table(read_run(changed(change)))
+    table = solvers.table(read_run(changed(change)))
     (row,) = rows_of(table, "edge-based")
     assert row[1:4] == ["edge-based", "exact", "list and priority queue"] and row[-1] == "a | heap"
     assert r"a \| heap" in to_markdown(table)

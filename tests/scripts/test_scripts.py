@@ -224,13 +224,13 @@ def test_plot_alone_draws_the_newest_run_over_what_was_drawn_before(checkout: Pa
     folder = checkout / "results" / "runs" / "20260102T030405Z-golden"
     shutil.copytree(GOLDEN, folder)
     (folder / "tables").mkdir()
-    for file in (folder / "report.html", folder / "tables" / "table_5_2.md"):
+    for file in (folder / "report.html", folder / "tables" / "performance.md"):
         file.write_text("old")
     (checkout / "results" / "runs" / "20250101T000000Z-older").mkdir()
     ended = run(checkout / "run_all.sh", "plot", "--no-install")
     assert ended.returncode == 0, ended.stderr
     assert ended.stdout.splitlines()[-1].endswith(f": {folder}/report.html")
-    for file in (folder / "report.html", folder / "tables" / "table_5_2.md"):
+    for file in (folder / "report.html", folder / "tables" / "performance.md"):
         assert file.read_text() != "old"
     assert (folder / "figures" / "speedup.pdf").exists()
     assert "plot: done" in (checkout / "build" / "logs" / "run_all.log").read_text()
@@ -242,7 +242,7 @@ def test_failed_check_still_draws_an_old_run_where_it_is_and_ends_in_error(check
     ended = run(checkout / "run_all.sh", *arguments, cwd=str(checkout))
     assert ended.returncode == 1 and "check failed" in ended.stderr
     assert "FAILED: ich/rocker-arm/src:4711" in ended.stdout
-    assert (checkout / "my run" / "tables" / "table_5_1.tex").exists()
+    assert (checkout / "my run" / "tables" / "strip_depth.tex").exists()
     assert (checkout / "my run" / "report.html").exists()
     assert not (checkout / "results" / "runs").exists()
 

@@ -1,4 +1,4 @@
-"""Table 5.3: descriptions of the run's solvers, and what the thesis prints about its own."""
+"""Descriptions of the run's solvers, and what the thesis prints about its own in Table 5.3."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ REMARKS = [
 
 def table(run: Run) -> Table:
     return Table(
-        name="table_5_3",
-        title=titled(run, "Table 5.3", "exact geodesic solvers compared"),
+        name="solvers",
+        title=titled(run, "Exact geodesic solvers compared", "Table 5.3"),
         header=HEADER,
         text_columns=len(HEADER),
         rows=[_row(run.solvers[name]) for name in columns(run)],

@@ -6,7 +6,7 @@ from itertools import pairwise
 from statistics import geometric_mean
 
 from plots.measures import ABSENT, columns, failure
-from plots.models import groups_of_thesis, left_out, of_thesis, ordered_meshes
+from plots.models import groups_of_thesis, left_out, of_thesis, ordered_meshes, titled
 from plots.ratios import BY_KEY, RATIOS, Ratio, mean_field, over_meshes
 from results import published
 from results.published import Claim
@@ -30,8 +30,8 @@ def ratios(run: Run) -> Table:
                     rows += _published_rows(run, mesh, ratio)
         rows.append(_mean_row(run, ratio))
     return Table(
-        name="table_5_2_ratios",
-        title="Ratios of Table 5.2" if of_thesis(run) else "Ratios of time, space and windows",
+        name="ratios",
+        title=titled(run, "Ratios of time, space and windows", "Table 5.2"),
         header=["Ratio", "Model", "From", *columns(run)],
         text_columns=3,
         rows=rows,
@@ -73,7 +73,7 @@ def claims(run: Run) -> Table:
         for words, meshes in models.items()
     )
     return Table(
-        name="table_5_2_claims",
+        name="claims",
         title="The thesis's claims about Table 5.2",
         header=[
             "Edge-based ...", "Ratio", "Solver", "Claimed", "In the thesis's table",

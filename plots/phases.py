@@ -1,4 +1,4 @@
-"""Figure 5.9: running time split into window propagation, trimming and queue maintenance."""
+"""Running time split into window propagation, trimming and queue maintenance, as in the thesis's Figure 5.9."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def figure(run: Run) -> Drawing:
     ]
     style.legend_above(picture, handles)
     return Drawing(
-        title=titled(run, "Figure 5.9", "statistics of running time"),
+        title=titled(run, "Statistics of running time", "Figure 5.9"),
         caption=_caption(run, drawn),
         figure=picture,
     )

@@ -1,4 +1,4 @@
-"""Figure 6.4: isolines of the distance field on several models."""
+"""Isolines of the distance field on several models, as in the thesis's Figure 6.4."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def figure(run: Run) -> Drawing:
     picture, hidden = panels(found, lambda one: np.concatenate(isolines(one)), _draw)
     style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
     return Drawing(
-        title=titled(run, "Figure 6.4", "isolines of the distance field"),
+        title=titled(run, "Isolines of the distance field", "Figure 6.4"),
         caption=_caption() + hidden,
         figure=picture,
     )

@@ -1,4 +1,4 @@
-"""Table 5.2: time, space and windows of every solver on every mesh; ours and published."""
+"""Time, space and windows of every solver on every mesh; ours and those of the thesis's Table 5.2."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ SPACE = (
 
 def table(run: Run) -> Table:
     return without_empty_columns(Table(
-        name="table_5_2",
-        title=titled(run, "Table 5.2", "performance of exact geodesic solvers"),
+        name="performance",
+        title=titled(run, "Performance of exact geodesic solvers", "Table 5.2"),
         header=["Model", "Measure", *columns(run), "Window limit"],
         text_columns=2,
         rows=[row for mesh in ordered_meshes(run) for row in _block(run, mesh)],

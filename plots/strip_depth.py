@@ -1,4 +1,4 @@
-"""Table 5.1: strip depth log_b n of the edge-based solver, and b; ours and published."""
+"""Strip depth log_b n of the edge-based solver, and b; ours and those of the thesis's Table 5.1."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def table(run: Run) -> Table:
     if EDGE_BASED not in run.solvers:
         raise ResultError(f"{run.file}: no {EDGE_BASED}, whose window tree this table measures")
     return without_empty_columns(Table(
-        name="table_5_1",
-        title=titled(run, "Table 5.1", "depth of the window tree of the edge-based solver"),
+        name="strip_depth",
+        title=titled(run, "Depth of the window tree of the edge-based solver", "Table 5.1"),
         header=[
             "Model", "Relation", "n", "log_b n", "b",
             "n, published", "log_b n, published", "b, published",
