@@ -13,12 +13,11 @@ from pathlib import Path
 from urllib.parse import quote
 
 from plots import (
-    answers, break_even, curves, dot_figures, drawing, error_map, frontier, further_sources, growth, isoline_figure, many,
+    answers, break_even, curves, dot_figures, drawing, error_map, frontier, further_sources, growth, isoline_figure,
     many_sources, overview, path_costs, paths, peers_overview, performance, performance_profile, phases, ratio_tables,
     robustness, solvers, strip_depth, summary, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing, Picture
-from plots.ratios import MANY
 from results import table
 from results.reader import ResultError, Run
 from results.table import Table
@@ -95,19 +94,6 @@ OF_SETS = {
 }  # fmt: skip
 """Tables and figures that show sets of sources. The others show single vertices, if the run has any."""
 
-OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
-    "summary": summary.overall,
-    "solvers": solvers.table,
-    "overview": many.overview,
-    "time_over_vertices": many.over_vertices,
-}
-"""Tables and figures that replace EVERYTHING for a run of more than `MANY` meshes."""
-
-
-def known_of(run: Run) -> dict[str, Callable[[Run], Table | Drawing]]:
-    """Returns the tables and figures that are drawn of a run, by name."""
-    return EVERYTHING if len(run.meshes) <= MANY else OF_MANY
-
 
 def base_name(name: str) -> str:
     """Returns the name in EVERYTHING, without mesh."""
@@ -142,18 +128,11 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
-    known = known_of(run)
-    for one in names or known:
-        if one not in known:
-            left_out[one] = (
-                f"{run.file}: drawn of at most {MANY} meshes, which --meshes chooses; "
-                f"the run has {len(run.meshes)}"
-            )
-            continue
+    for one in names or EVERYTHING:
         shown = run if one in OF_SETS else run.of_single_sources
         for name, part in _parts(shown, one).items():
             try:
-                drawn[name] = known[one](_on_one_processor(part) if one in WITH_SECONDS else part)
+                drawn[name] = EVERYTHING[one](_on_one_processor(part) if one in WITH_SECONDS else part)
             except ResultError as error:
                 if OF not in name or str(error) not in left_out.values():
                     left_out[name] = str(error)
@@ -175,7 +154,7 @@ def draw_files(
     """As `draw`, and writes each table and figure in every format: tables to FOLDER/tables and figures to
     FOLDER/figures, or all to `out`. All processors of the machine draw. Prints
     the name of the first file of each."""
-    each = list(names) or list(known_of(run))
+    each = list(names) or list(EVERYTHING)
     processes = min(len(each), os.cpu_count() or 1)
     draw_one = partial(_draw_files, run, folder, out)
     written: dict[str, Table | Picture] = {}

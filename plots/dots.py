@@ -27,6 +27,8 @@ ROW_INCHES, SPREAD = 0.36, 0.8
 """Least height of a row, and the share of it over which its solvers are spread."""
 WIDE = 20.0
 """Values that differ by a larger factor need a logarithmic axis."""
+MOST_ROWS = 60
+"""Largest number of meshes that a figure shows: more would not fit a page that can be read."""
 FEW = 3
 """Largest number of meshes that a caption names; more are counted."""
 NEAR = 1.3
@@ -83,7 +85,8 @@ def mesh_rows(
     measured: Callable[[str, str], Sequence[Dot]],
     published: Callable[[str, str], float | None] = lambda model, solver: None,
 ) -> list[Row]:
-    """Returns a row for each mesh that has a dot.
+    """Returns a row for each mesh that has a dot. Of more than MOST_ROWS meshes, those with the least and
+    the greatest values remain, with a row that counts the others.
 
     @param measured returns the dots of a mesh and a solver
     @param published returns the value of a model of the thesis and a solver
@@ -97,7 +100,11 @@ def mesh_rows(
             rows.append(Row(two_lines(mesh), dots, known, mesh.stand_in))
     if not rows:
         raise ResultError(f"{run.file}: no verified cell has {label!r}")
-    return rows
+    if len(rows) <= MOST_ROWS:
+        return rows
+    rows.sort(key=lambda row: max(dot.value for dots in row.dots.values() for dot in dots))
+    half = MOST_ROWS // 2
+    return [*rows[:half], Row(f"{len(rows) - 2 * half:,} meshes between,\nleft out", {}), *rows[-half:]]
 
 
 def draw_rows(

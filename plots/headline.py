@@ -6,9 +6,7 @@ from collections.abc import Sequence
 
 from plots.measures import LIMIT_SOLVER, errors_of, percent
 from plots.models import groups_of_thesis
-from plots.ratios import (
-    MANY, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over,
-)  # fmt: skip
+from plots.ratios import fastest_exact, mean, number, over_each_mesh, over_meshes, time_over
 from plots.table_thesis import SPEED, WINDOWS, Pair, compare
 from results import outcomes
 from results.pairs import Floats, first, ratios
@@ -73,9 +71,7 @@ def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
 
 
 def _resolved(run: Run, base: str, other: str) -> bool:
-    """Returns whether the interval of the ratio excludes 1; True without an interval, as for many meshes."""
-    if len(run.meshes) > MANY:
-        return True
+    """Returns whether the interval of the ratio excludes 1; True without an interval."""
     found = over_meshes(time_over(base), run, list(run.meshes), other)
     return found is None or found.estimate.excludes_one
 
@@ -112,8 +108,6 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
 
 def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
     """Returns the ratio of first answers in words; empty if preparation makes little difference."""
-    if len(run.meshes) > MANY:
-        return ""
     pairs = [ratios(run, mesh, solver, base, first) for mesh in run.meshes]
     known = [sample for sample in pairs if sample]
     whole = geometric_mean(known).value if known else ratio

@@ -237,7 +237,7 @@ def partial_failure(run: Run, mesh: str, solver: str) -> str:
     return ""
 
 
-def _failed(rows: list[Row]) -> str:
+def _failed(rows: Sequence[Row]) -> str:
     """Returns every distinct message once, with its sources."""
     causes: dict[str, list[Source]] = {}
     for row in rows:

@@ -22,8 +22,6 @@ from results.statistics import Estimate, Sample, geometric_mean
 from results.table import Field, decimals, estimate_field
 
 RIVAL = "the solver in the column"
-MANY = 100
-"""Largest number of meshes of a run for which each mesh has its own row; larger runs are summarised."""
 
 
 def plain(value: float) -> str:
@@ -175,7 +173,7 @@ def mean_field(ratio: Ratio, mean: Mean, solver: str) -> Field:
 
 def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:
     """Returns, by solver, the ratio to the base's time of every mesh that has both times. `over_meshes`
-    also computes the interval of their mean, but a large run has too many meshes for it."""
+    also computes the interval of their mean."""
     found = all_times(run)
     if base not in found.solvers:
         return {}

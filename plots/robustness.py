@@ -154,7 +154,7 @@ def _error(rows: Sequence[Row]) -> float:
 def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
     """Returns the worst word of a case and the rows with this word. A solver that supports only single
     sources is judged by those."""
-    rows = run.cell(mesh.name, solver)
+    rows = list(run.cell(mesh.name, solver))
     if not rows:
         return "skipped" if run.skip(mesh.name, solver) else MISSING, []
     rows = [

@@ -13,15 +13,13 @@ from plots.measures import (
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes, timed_elsewhere
 from plots.ratios import (
-    MANY, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
+    Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
 )  # fmt: skip
 from results.pairs import Floats
 from results.reader import OK, Mesh, ResultError, Run
 from results.table import BLANK, Field, Table, estimate_field
 
 ALL = "all meshes"
-QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
-"""Quantiles for many meshes; for fewer, the least and the greatest ratio are shown."""
 PAIRED = (
     "Ratios of times are paired by mesh, source and repetition; a mean is geometric, over the meshes "
     "that have both times, each of which counts once."
@@ -32,12 +30,10 @@ def overall(run: Run) -> Table:
     """Returns a table with a row per solver, the fastest first."""
     base = fastest_exact(run)
     of = over_each_mesh(run, base)
-    few = len(run.meshes) <= MANY
-    spread = ["Least", "Most"] if few else [f"{100 * q:.0f}%" for q in QUANTILES]
     return Table(
         name="summary",
         title="Results over all meshes" if len(run.meshes) > 1 else "Results",
-        header=["Solver", time_over(base).label, "Meshes", *spread, "Verified", "Without a time",
+        header=["Solver", time_over(base).label, "Meshes", "Least", "Most", "Verified", "Without a time",
                 ERROR.label],
         text_columns=1,
         rows=[
@@ -45,13 +41,8 @@ def overall(run: Run) -> Table:
             for solver in sorted(columns(run), key=lambda s: mean(of[s]) if s in of else np.inf)
         ],
         remarks=[
-            PAIRED + (
-                " In brackets the 95% bootstrap interval; then the meshes with the least and the "
-                "greatest ratio."
-                if few
-                else " Then quantiles over these meshes. Tables of fewer meshes have a line for each: "
-                "python3 -m plots --meshes A,B."
-            ),
+            f"{PAIRED} In brackets the 95% bootstrap interval; then the meshes with the least and the "
+            "greatest ratio.",
             "The columns Verified and Without a time count cells, each a mesh and a source.",
             *timed_elsewhere(run),
         ],
@@ -63,16 +54,15 @@ def _name(run: Run, solver: str) -> Field:
 
 
 def _ratios(run: Run, base: str, solver: str, ratios: Floats | None) -> list[Field]:
-    few = len(run.meshes) <= MANY
     if ratios is None:
-        return [BLANK, Field("0", 0), *[BLANK] * (2 if few else len(QUANTILES))]
+        return [BLANK, Field("0", 0), BLANK, BLANK]
     ratio, value = time_over(base), mean(ratios)
-    interval = over_meshes(ratio, run, list(run.meshes), solver) if few else None
+    interval = over_meshes(ratio, run, list(run.meshes), solver)
     first = Field(plain(value), value)
     if interval and solver != base:
         first = estimate_field(interval.estimate, ratio.interval(interval.estimate))
-    spread = np.quantile(ratios, (0, 1) if few else QUANTILES)
-    return [first, Field(f"{len(ratios):,}", len(ratios)), *(Field(plain(v), float(v)) for v in spread)]
+    ends = float(min(ratios)), float(max(ratios))
+    return [first, Field(f"{len(ratios):,}", len(ratios)), *(Field(plain(end), end) for end in ends)]
 
 
 def _counts(run: Run, solver: str) -> list[Field]:

@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
@@ -175,7 +175,7 @@ class Skip:
     why: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Run:
     file: Path
     context: dict[str, Any]
@@ -276,9 +276,10 @@ class Run:
         """Whether the rows of one mesh, source and repetition were measured in direct succession."""
         return bool(self.ours.get("interleaved", False))
 
-    def cell(self, mesh: str, solver: str) -> list[Row]:
+    @lru_cache(maxsize=256)  # a table asks for the cells of one mesh again and again
+    def cell(self, mesh: str, solver: str) -> tuple[Row, ...]:
         """Returns the rows of a solver on a mesh, for all sources, in the file's order."""
-        return [self.row(int(place)) for place in self._places.get((mesh, solver), ())]
+        return tuple(self.row(int(place)) for place in self._places.get((mesh, solver), ()))
 
     @cached_property
     def without_a_time(self) -> list[Row]:

@@ -25,15 +25,17 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 Sample = Sequence[Sequence[float]]
 Array = NDArray[np.float64]
+Places = NDArray[np.int64]
 
 RESAMPLES = 2000
 CONFIDENCE = 0.95
@@ -79,10 +81,9 @@ def median(sample: Sample) -> Estimate:
     values = _padded(sample)
 
     def reduce(array: Array) -> Array:
-        return np.asarray(np.median(np.nanmedian(array, axis=-1), axis=-1))
+        return _medians(_medians(array))
 
-    drawn = _resample(values, np.random.default_rng(SEED))
-    return _estimate(float(reduce(values)), reduce(drawn), values)
+    return _estimate(float(reduce(values)), reduce(_resample(values)), values)
 
 
 def geometric_mean(samples: Sequence[Sample]) -> Estimate:
@@ -95,11 +96,15 @@ def geometric_mean(samples: Sequence[Sample]) -> Estimate:
     logs = [np.log(_padded(sample)) for sample in samples]
 
     def reduce(array: Array) -> Array:
-        return np.asarray(np.mean(np.nanmean(array, axis=-1), axis=-1))
+        inner = np.nanmean if np.isnan(array).any() else np.mean
+        return np.asarray(np.mean(inner(array, axis=-1), axis=-1))
 
     means = np.array([float(reduce(array)) for array in logs])
-    random = np.random.default_rng(SEED)  # one for all: meshes are drawn independently
-    draws = np.mean([reduce(_resample(array, random)) for array in logs], axis=0)
+    if len(logs) == 1:
+        draws = reduce(_resample(logs[0]))
+    else:
+        random = np.random.default_rng(SEED)  # one for all: meshes are drawn independently
+        draws = np.mean([reduce(_redraw(one, _chosen(one, random), random)) for one in logs], axis=0)
     spread = np.exp(means if len(means) > 1 else logs[0])
     return _estimate(float(np.exp(np.mean(means))), np.exp(draws), spread)
 
@@ -218,8 +223,24 @@ def power_law(x: Sequence[float], y: Sequence[float]) -> PowerLaw:
 
 def _estimate(value: float, draws: Array, values: Array) -> Estimate:
     tail = (1 - CONFIDENCE) / 2
-    low, high = (float(x) for x in np.quantile(draws, [tail, 1 - tail]))
+    low, high = (_quantile(np.sort(draws), share) for share in (tail, 1 - tail))
     return Estimate(value, low, high, float(np.nanmin(values)), float(np.nanmax(values)))
+
+
+def _quantile(ordered: Array, share: float) -> float:
+    """Returns `np.quantile` to the last bit, in a fifth of the time."""
+    place = share * (len(ordered) - 1)
+    below, above = (float(x) for x in ordered[[int(place), min(int(place) + 1, len(ordered) - 1)]])
+    part = place - int(place)
+    return below + (above - below) * part if part < 0.5 else above - (above - below) * (1 - part)
+
+
+def _medians(values: Array) -> Array:
+    """Returns the medians over the last axis, without padding. NumPy's are slow on short axes."""
+    if np.isnan(values).any():
+        return np.asarray(np.nanmedian(values, axis=-1))
+    ordered, count = np.sort(values, axis=-1), values.shape[-1]
+    return np.asarray((ordered[..., (count - 1) // 2] + ordered[..., count // 2]) / 2)
 
 
 def _padded(sample: Sample) -> Array:
@@ -232,15 +253,39 @@ def _padded(sample: Sample) -> Array:
     return values
 
 
-def _resample(values: Array, random: np.random.Generator) -> Array:
-    """Returns an array of shape (RESAMPLES, sources, repetitions), padded like `values`."""
-    chosen = random.integers(len(values), size=(RESAMPLES, len(values)))
-    return _redraw(values, chosen, random)
+def _resample(values: Array) -> Array:
+    """Returns an array of shape (RESAMPLES, sources, repetitions), padded like `values`; only the values
+    themselves if all are equal, as counters are."""
+    if np.nanmin(values) == np.nanmax(values):
+        return values[None]
+    return np.append(values, np.nan)[_places(tuple(_counts(values).tolist()), values.shape[1])]
 
 
-def _redraw(values: Array, chosen: NDArray[np.int64], random: np.random.Generator) -> Array:
+def _redraw(values: Array, chosen: Places, random: np.random.Generator) -> Array:
     """Resamples the repetitions of the chosen sources. SciPy's bootstrap has only one level."""
-    counts = np.sum(~np.isnan(values), axis=1)[chosen][..., None]
-    picks = (random.random((*chosen.shape, values.shape[1])) * counts).astype(np.intp)
-    drawn = values[chosen[..., None], picks]
-    return np.where(np.arange(values.shape[1]) < counts, drawn, np.nan)
+    return np.append(values, np.nan)[_drawn(_counts(values), values.shape[1], chosen, random)]
+
+
+@lru_cache(maxsize=32)
+def _places(counts: tuple[int, ...], width: int) -> Places:
+    """Returns the places of `_drawn` for a new generator: the same for all samples of this shape."""
+    random = np.random.default_rng(SEED)
+    return _drawn(np.array(counts), width, _chosen(counts, random), random)
+
+
+def _drawn(counts: Places, width: int, chosen: Places, random: np.random.Generator) -> Places:
+    """Returns places in the flattened sample, and -1 for padding.
+
+    @param counts of the repetitions of each source
+    @param width of the sample"""
+    own = np.asarray(width) if (counts == width).all() else counts[chosen][..., None]
+    picks = (random.random((*chosen.shape, width)) * own).astype(np.intp)
+    return np.where(np.arange(width) < own, width * chosen[..., None] + picks, -1)
+
+
+def _chosen(sources: Sized, random: np.random.Generator) -> Places:
+    return random.integers(len(sources), size=(RESAMPLES, len(sources)))
+
+
+def _counts(values: Array) -> Places:
+    return np.asarray(np.sum(~np.isnan(values), axis=1))

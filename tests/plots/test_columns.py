@@ -1,4 +1,4 @@
-"""Columns contain the same rows as JSON. Errors name damaged columns. Many meshes are drawn together."""
+"""Columns contain the same rows as JSON. Errors name damaged columns. Runs of many meshes are drawn."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plots import catalogue
-from plots.ratios import MANY, over_each_mesh
+from plots import catalogue, dots
+from plots.ratios import over_each_mesh
 from results import merge, outcomes
 from results.columns import Columns
 from results.reader import ResultError, Run, read_run, run_of
+from results.table import Table
 
 Change = Callable[[dict[str, Any]], object]
 
@@ -117,11 +118,24 @@ def crowd(golden_folder: Path, meshes: int) -> Run:
     return run_of(golden_folder, data)
 
 
-def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
-    run = crowd(golden_folder, MANY + 1)
-    drawn, left_out = catalogue.draw(run)
-    assert list(drawn) == list(catalogue.OF_MANY) and not left_out
-    found = over_each_mesh(run, "edge-based")["mmp"]
+def test_a_run_of_many_meshes_has_the_tables_and_figures_of_a_run_of_few(
+    golden_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(dots, "MOST_ROWS", 6)
+    drawn, left_out = catalogue.draw(crowd(golden_folder, 13))
+    few, others = catalogue.draw(crowd(golden_folder, 4))
+    assert drawn.keys() == few.keys() and left_out.keys() == others.keys()
+    table, figure = drawn["summary_by_mesh"], drawn["speedup"]
+    assert isinstance(table, Table) and len(table.rows) == 1 + 13
+    assert not isinstance(figure, Table)
+    labels = [label.get_text().split() for label in figure.figure.axes[0].get_yticklabels()]
+    assert [words[0] for words in labels if words[0] != "geometric"] == [
+        "horse-1", "horse-2", "horse-3", "7", "horse-11", "horse-12", "horse-13",
+    ]  # fmt: skip
+
+
+def test_ratios_over_each_mesh_are_those_of_its_pairs(golden_folder: Path) -> None:
+    found = over_each_mesh(crowd(golden_folder, 9), "edge-based")["mmp"]
     one = crowd(golden_folder, 1)
     pairs = {
         (row.source, row.repetition): row.time for row in one.cell("horse-1", "edge-based") if row.ok
@@ -131,11 +145,7 @@ def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
         for row in one.cell("horse-1", "mmp")
         if (row.source, row.repetition) in pairs
     ]
-    assert np.allclose(found, np.exp(np.mean(logs)) * np.arange(1, MANY + 2), rtol=1e-12)
-    _, refused = catalogue.draw(run, ["performance"])
-    assert "drawn of at most 100 meshes, which --meshes chooses" in refused["performance"]
-    few, _ = catalogue.draw(run.of_meshes(["horse-1", "horse-7"]), ["performance"])
-    assert list(few) == ["performance"]
+    assert np.allclose(found, np.exp(np.mean(logs)) * np.arange(1, 10), rtol=1e-12)
 
 
 def test_seconds_of_several_processors_are_refused_and_ratios_drawn(golden_folder: Path) -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
 from results.statistics import (
-    Decision, decide, geometric_mean, geometric_mean_of_medians, geometric_mean_of_ratios,
+    CONFIDENCE, RESAMPLES, SEED, Decision, decide, geometric_mean, geometric_mean_of_medians, geometric_mean_of_ratios,
     least_for_interval, median, median_interval, power_law, rank_test,
 )  # fmt: skip
 
@@ -130,6 +131,32 @@ def test_ratios_of_two_runs_have_a_mean_over_cells() -> None:
     assert estimate.value == pytest.approx(1)
     assert (estimate.least, estimate.most) == pytest.approx((0.5, 2))
     assert estimate.low < 1 < estimate.high and not estimate.excludes_one
+
+
+@pytest.mark.parametrize(
+    "sample", [[[3.0, 1.0], [2.0, 7.0]], [[1.0, 4.0, 2.0], [9.0], [5.0, 6.0]], [[2.0, 2.0], [2.0]]]
+)
+def test_intervals_are_quantiles_of_a_bootstrap_of_sources_and_their_repetitions(sample: list[list[float]]) -> None:
+    width, counts = max(map(len, sample)), np.array([len(of) for of in sample])
+    values = np.array([[*of, *[np.nan] * (width - len(of))] for of in sample])
+
+    def drawn(random: np.random.Generator) -> Any:
+        chosen = random.integers(len(sample), size=(RESAMPLES, len(sample)))
+        picks = (random.random((*chosen.shape, width)) * counts[chosen][..., None]).astype(int)
+        there = np.arange(width) < counts[chosen][..., None]
+        return np.where(there, values[chosen[..., None], picks], np.nan)
+
+    def ends(draws: Any) -> list[float]:
+        tail = (1 - CONFIDENCE) / 2
+        return [float(end) for end in np.quantile(draws, [tail, 1 - tail])]
+
+    found = median(sample)
+    assert [found.low, found.high] == ends(np.median(np.nanmedian(drawn(np.random.default_rng(SEED)), axis=2), axis=1))
+    for meshes in (1, 2):
+        random = np.random.default_rng(SEED)
+        means = [np.nanmean(np.log(drawn(random)), axis=2).mean(axis=1) for _ in range(meshes)]
+        found = geometric_mean([sample] * meshes)
+        assert [found.low, found.high] == pytest.approx(ends(np.exp(np.mean(means, axis=0))), rel=1e-14)
 
 
 def test_mean_of_medians_resamples_the_values_and_not_the_meshes() -> None:
