@@ -4,20 +4,28 @@ from __future__ import annotations
 
 import json
 import os
-import pickle
 import shlex
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
-from multiprocessing import get_context
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
 from geodesic_bench.program import FAULT, Option, Results, flags, program
-from geodesic_bench.serving import Prepare, serve
+from numpy.typing import ArrayLike, NDArray
+
+Solve = Callable[[NDArray[np.int64]], ArrayLike]
+"""Function that maps source vertices, an array of shape (k,), to a distance for each vertex."""
+
+Prepare = Callable[[NDArray[np.float64], NDArray[np.int64]], Solve]
+"""Function that maps vertices (n, 3) and faces (m, 3) to a function that answers queries."""
 
 Promise = str | float
 """Guarantee for the distances: "exact", "upper_bound", "unbounded", or the largest relative error."""
+
+answers = False
+"""Whether this process answers a query (answer.py)."""
 
 
 def benchmark(
@@ -38,9 +46,9 @@ def benchmark(
         Each takes vertices, (n, 3) float64, and faces, (m, 3) int64, and returns a function that
         takes source vertices, (k,) int64, and returns n distances, infinite for unreachable vertices.
         The first is timed as preparation, the second as the solve; both times are CPU times. Each
-        query runs in a process of its own, which a limit of time or memory may end. These processes
-        find the function by its name: it must be at the top level of a module or a script, and a
-        script calls this under ``if __name__ == "__main__":``.
+        query runs in a new process of this Python, which a limit of time or memory may end. These
+        processes find the function by its name: it must be at the top level of a module or a
+        script, and a script calls this under ``if __name__ == "__main__":``.
     out : path
         Folder for the results; it must not contain results yet.
     against : names
@@ -63,10 +71,10 @@ def benchmark(
     file = Path(out) / "run.json"
     if file.exists():
         raise ValueError(f"{file} is there already: choose another folder")
-    with _Served(_named(functions), promise) as served:
-        names = ",".join([*served.names, *against])
+    with _Described(_named(functions), promise) as described:
+        names = ",".join([*described.names, *against])
         words = ["run", f"--out={os.fspath(out)}", f"--solvers={names}", *flags(options)]
-        said = served.drive([program(executable), *served.words, *words], progress)
+        said = described.drive([program(executable), *described.words, *words], progress)
     if not file.exists():
         raise ValueError(said[-1].removeprefix(FAULT))
     return Results(file)
@@ -94,14 +102,14 @@ def verify(
     ValueError
         If properties do not hold, with their names, and for the reasons of `benchmark`.
     """
-    with _Served(_named(function), promise) as served, tempfile.TemporaryDirectory() as folder:
-        (name,) = served.names
+    with _Described(_named(function), promise) as described, tempfile.TemporaryDirectory() as folder:
+        (name,) = described.names
         words = ["verify", f"--solver={name}", *flags({"out": folder} | options)]
-        said = served.drive([program(executable), *served.words, *words], progress)
+        said = described.drive([program(executable), *described.words, *words], progress)
     failed = [line.split()[1] for line in said if line.startswith("  FAILS ")]
     if failed:
         raise ValueError(f"{name} does not keep: {', '.join(failed)}")
-    if served.code:
+    if described.code:
         raise ValueError(said[-1].removeprefix(FAULT))
 
 
@@ -113,61 +121,38 @@ def _named(functions: Prepare | Mapping[str, Prepare]) -> dict[str, Prepare]:
     return {plain or "function": functions}
 
 
-class _Served:
-    """Runs the program, beside a process that answers its queries to the functions. That process is started anew:
-    a fork of this one, which may have threads, could wait forever for a lock that one of them holds."""
+class _Described:
+    """Folders with descriptions of functions as external solvers. Queries are answered by processes of this Python,
+    which find the functions by their names (answer.py)."""
 
     def __init__(self, functions: dict[str, Prepare], promise: Promise) -> None:
+        if answers:
+            raise ValueError("the script measures whenever it is run")
         self.names = list(functions)
-        self.promise = promise
+        self.commands = {name: _command(function) for name, function in functions.items()}
+        self.promise: dict[str, object] = {"promise": promise}
+        if not isinstance(promise, str):
+            self.promise = {"promise": "bounded", "error_bound": promise}
         self.code = 0
-        try:
-            self.pickled = pickle.dumps(functions)
-        except (pickle.PicklingError, AttributeError, TypeError) as error:
-            raise _not_found(str(error)) from None
+        for command in self.commands.values():
+            looked = subprocess.run(command, capture_output=True, text=True, check=False)
+            if looked.returncode:
+                raise _not_found(looked.stderr.strip().rpartition("\n")[2])
 
-    def __enter__(self) -> _Served:
+    def __enter__(self) -> _Described:
         self.folder = tempfile.TemporaryDirectory(prefix="geodesic-bench-")
         self.words: list[str] = []
-        for name in self.names:
+        for name, command in self.commands.items():
             place = Path(self.folder.name, name)
             place.mkdir()
-            (place / "solver.json").write_text(json.dumps(self._description(name)))
+            query = "{vertices.npy} {faces.npy} {sources} {distances.npy}"
+            about = {"name": name, "command": f"{shlex.join(command)} {query}", "remarks": "a Python function"}
+            (place / "solver.json").write_text(json.dumps(about | self.promise))
             self.words += ["--external", str(place)]
-        context = get_context("spawn")
-        self.end, other_end = context.Pipe()
-        self.process = context.Process(target=serve, args=(self.pickled, self.folder.name, other_end))
-        try:
-            self.process.start()
-            other_end.close()
-            if fault := self.end.recv():
-                raise _not_found(fault)
-        except BaseException as error:
-            self.__exit__()
-            if isinstance(error, EOFError):
-                raise _not_found("the process has ended") from None
-            if isinstance(error, RuntimeError):  # in the new process, which runs an unguarded script
-                sys.exit(1)
-            raise
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.end.close()
-        if self.process.pid is not None:
-            self.process.join()
         self.folder.cleanup()
-
-    def _description(self, name: str) -> dict[str, object]:
-        ask = shlex.join([sys.executable, "-I", "-S", str(Path(__file__).with_name("ask.py"))])
-        about: dict[str, object] = {"promise": self.promise}
-        if not isinstance(self.promise, str):
-            about = {"promise": "bounded", "error_bound": self.promise}
-        return about | {
-            "name": name,
-            "command": f"{ask} {{folder}}/socket "
-            "{vertices.npy} {faces.npy} {sources} {distances.npy}",
-            "remarks": "a Python function",
-        }
 
     def drive(self, command: list[str], progress: bool) -> list[str]:
         """Runs the program to its end. @return the lines that the program prints"""
@@ -187,8 +172,21 @@ class _Served:
         return said or [""]
 
 
+def _command(function: Prepare) -> list[str]:
+    place, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
+    if not name or "<" in name:
+        raise _not_found(name or f"{function!r} has no name")
+    if place == "__main__":
+        main = sys.modules[place]
+        place = main.__spec__.name if main.__spec__ else os.path.abspath(getattr(main, "__file__", None) or "")
+        if not os.path.isfile(place) and not main.__spec__:
+            raise _not_found("there is no file of a script")
+    path = os.pathsep.join(map(os.path.abspath, sys.path))
+    return ["env", f"PYTHONPATH={path}", sys.executable, "-P", "-m", "geodesic_bench.answer", place, name]
+
+
 def _not_found(why: str) -> ValueError:
     return ValueError(
-        "the process that runs the functions cannot find them: define them at the top level of a module, or of"
+        "the processes that run the functions cannot find them: define them at the top level of a module, or of"
         f" a script that calls this under if __name__ == '__main__' ({why})"
     )

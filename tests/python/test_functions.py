@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -19,9 +18,6 @@ from python_package import BENCH
 gb = pytest.importorskip("geodesic_bench")
 
 Solve = Callable[[Any], Any]
-
-LOCK = threading.Lock()
-
 
 def exact(vertices: Any, faces: Any) -> Solve:
     solve: Solve = gb.Mesh(vertices, faces).distances
@@ -53,11 +49,6 @@ def longer(vertices: Any, faces: Any) -> Solve:
     return lambda sources: 1.02 * solve(sources)
 
 
-def locking(vertices: Any, faces: Any) -> Solve:
-    with LOCK:
-        return exact(vertices, faces)
-
-
 def measure(functions: Any, out: Path, file: Path, **options: Any) -> Any:
     return gb.benchmark(functions, out, meshes=[file], executable=BENCH, repetitions=2, sources=1,
                         min_time=0.001, progress=False, **options)  # fmt: skip
@@ -78,7 +69,7 @@ def test_a_function_is_measured_beside_solvers(tmp_path: Path, file: Path) -> No
         (zeros, "wrong answer"),
         (few, "distances of shape (3,) for 144 vertices"),
         (failing, "KeyError: 'no such thing'"),
-        (crashing, "the process that has the function has ended"),
+        (crashing, "killed by signal 9"),
     ],
 )
 def test_what_is_wrong_with_a_function_is_its_row(
@@ -92,7 +83,7 @@ def test_what_is_wrong_with_a_function_is_its_row(
 
 def test_a_function_that_does_not_end_is_stopped(tmp_path: Path, file: Path) -> None:
     start = time.monotonic()
-    results = measure({"endless": endless, "exact": exact}, tmp_path / "out", file, time_limit=2)
+    results = measure({"endless": endless, "exact": exact}, tmp_path / "out", file, time_limit=8)
     assert time.monotonic() - start < 100
     outcomes = {row.solver: row.outcome for row in results.run.rows}
     assert outcomes == {"endless": "time-out", "exact": "ok", "edge-based": "ok"}
@@ -113,14 +104,6 @@ def test_a_promise_that_is_a_number_bounds_the_error(tmp_path: Path, file: Path)
         assert {row.outcome for row in results.run.rows} == {outcome}
 
 
-def test_a_function_does_not_wait_for_a_lock_that_a_thread_of_the_caller_holds(
-    tmp_path: Path, file: Path
-) -> None:
-    with LOCK:
-        results = measure(locking, tmp_path / "out", file, against=[], time_limit=3)
-    assert {row.outcome for row in results.run.rows} == {"ok"}
-
-
 def test_a_function_that_other_processes_cannot_find_is_refused_in_one_sentence(
     tmp_path: Path, file: Path
 ) -> None:
@@ -128,7 +111,7 @@ def test_a_function_that_other_processes_cannot_find_is_refused_in_one_sentence(
         return zeros(vertices, faces)
 
     for function in (local, {"nameless": lambda vertices, faces: zeros(vertices, faces)}):
-        with pytest.raises(ValueError, match=r"^the process that runs the functions cannot find them: define.*<locals>"):
+        with pytest.raises(ValueError, match=r"^the processes that run the functions cannot find them: define.*<l(ocals|ambda)>"):
             measure(function, tmp_path / "out", file)
     script = tmp_path / "script.py"
     script.write_text(
@@ -142,4 +125,4 @@ def test_a_function_that_other_processes_cannot_find_is_refused_in_one_sentence(
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         *_, last = ended.stderr.splitlines()
         assert ended.returncode == 1 and ended.stderr.count("Traceback") == 1, ended.stderr
-        assert last.startswith("ValueError: the process that runs the functions cannot find them: define")
+        assert last.startswith("ValueError: the processes that run the functions cannot find them: define")
