@@ -130,8 +130,10 @@ class Copy:
     def _update(self) -> None:
         """Copies what differs. New files have new times, so that they are built again."""
         listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
-        names = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-        wanted = {name for name in names.split("\0") if name and (ROOT / name).is_file()}
+        ended = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True)
+        if ended.returncode != 0:
+            raise ListError(f"git does not list the files of {ROOT}: {ended.stderr.strip()}")
+        wanted = {name for name in ended.stdout.split("\0") if name and (ROOT / name).is_file()}
         for name in wanted:
             file, copy = ROOT / name, self.tree / name
             if not copy.is_file() or copy.read_bytes() != file.read_bytes():
@@ -257,4 +259,5 @@ def main() -> int:
 
 if __name__ == "__main__":
     console.prepare(place="--build")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # ends the tests that run, too
     sys.exit(main())
