@@ -125,6 +125,8 @@ class Copy:
         self.log = folder / "log"
         self._passes: set[str] = set()
         self._update()
+        for words in (["init", "--quiet"], ["add", "--all"]):  # some tests read what git lists
+            self._call(["git", *words], "the copy cannot be a repository")
         self._call(["cmake", "--preset", PRESET], "the copy cannot be configured")
 
     def _update(self) -> None:
@@ -141,7 +143,7 @@ class Copy:
                 shutil.copy(file, copy)
         for copy in [file for file in self.tree.rglob("*.*") if file.is_file()]:
             place = copy.relative_to(self.tree)
-            if place.parts[0] != "build" and str(place) not in wanted:
+            if place.parts[0] not in ("build", ".git") and str(place) not in wanted:
                 copy.unlink()
 
     @contextmanager
