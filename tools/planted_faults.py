@@ -198,6 +198,8 @@ class Copy:
                 return 1
             finally:
                 if process.poll() is None:
+                    os.killpg(process.pid, signal.SIGTERM)  # Ninja ends its compilers, which are in other groups
+                    time.sleep(1)
                     os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
 
