@@ -26,9 +26,9 @@ inline LastSegment arrival_of(const Mesh& mesh, const StraightPiece& piece) {
   return {last.half_edge, piece.from, {e.apex_x + stretch * x, e.apex_y + stretch * y}};
 }
 
-/// The paths of a query whose sources are vertices and which has no targets.
-inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
-  std::vector<double> distances = BruteForce(mesh).distances(query.sources);
+/// What a solver records of a query whose sources are vertices and which has no targets.
+inline Recording oracle_recording(const Mesh& mesh, const Query& query,
+                                  const std::vector<double>& distances) {
   Recording recording;
   recording.kind = RecordingKind::paths;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -36,6 +36,12 @@ inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
     recording.last_segments.push_back(path.empty() ? LastSegment{kNone, v, {0, 0}}
                                                    : arrival_of(mesh, path.back()));
   }
+  return recording;
+}
+
+inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
+  std::vector<double> distances = BruteForce(mesh).distances(query.sources);
+  Recording recording = oracle_recording(mesh, query, distances);
   return {mesh, query, std::move(distances), std::move(recording)};
 }
 

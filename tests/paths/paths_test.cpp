@@ -124,6 +124,21 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
   EXPECT_EQ(paths.nearest_sources(), (std::vector<Index>{kNone, kNone, kNone, 0}));
 }
 
+// Other vertices are too far away for a search to look there.
+TEST(Paths, follow_lines_that_bend_nowhere_without_a_search) {
+  const Mesh mesh(generate("icosphere", {{"frequency", 4}}));
+  const Query query{.sources = {{.at = 0}}};
+  const std::vector<double> distances = BruteForce(mesh).distances(query.sources);
+  const Recording recording = oracle_recording(mesh, query, distances);
+  for (Index v = 1; v < mesh.vertex_count(); ++v) {
+    std::vector<double> others = distances;
+    for (double& distance : others) distance *= 3;
+    others[v] = distances[v];
+    const Paths paths(mesh, query, others, recording);
+    EXPECT_NEAR(paths.to_vertex(v).length(), distances[v], 1e-13) << v;
+  }
+}
+
 // The source lies before a flat cap, the end next to the cap's apex, a saddle vertex, on the line
 // of a side of the cap. Lines of sight along that side are rounded by more than the cap is high.
 TEST(Paths, bend_at_the_apex_of_a_flat_cap_however_near_the_end_is) {
