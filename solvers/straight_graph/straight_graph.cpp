@@ -120,33 +120,41 @@ class StraightGraph final : public Solver {
   std::optional<Certificate> certificate_;
 };
 
-/// Adds a solver.
-/// @param links its parameter
-template <class Links>
-RegisterSolver<StraightGraph<Links>> add(const char* name, const char* remarks,
-                                         const ParameterDescription& links) {
-  return RegisterSolver<StraightGraph<Links>>{{
-      .name = name,
-      .family = "straight graph",
-      .paper = "Ying, Wang, He 2013, Saddle Vertex Graph (SVG): A Novel Solution to the Discrete "
-               "Geodesic Problem",
-      .exactness = Exactness::upper_bound,
-      .by_name_only = true,
-      .abilities = {.surface_sources = true, .paths = true},
-      .remarks = remarks,
-      .parameters = {links, integer_parameter("threads", 1, 1, 256, "that prepare the graph"),
-                     integer_parameter(
-                         "check", 0, 0, 1000,
-                         "random sources from which preparation measures its errors")},
-  }};
+constexpr const char* kFamily = "straight graph";
+constexpr const char* kPaper =
+    "Ying, Wang, He 2013, Saddle Vertex Graph (SVG): A Novel Solution to the Discrete Geodesic "
+    "Problem";
+constexpr Abilities kAbilities{.surface_sources = true, .paths = true};
+
+/// @param links which links a graph has
+std::vector<ParameterDescription> parameters(const ParameterDescription& links) {
+  return {links, integer_parameter("threads", 1, 1, 256, "that prepare the graph"),
+          integer_parameter("check", 0, 0, 1000,
+                            "random sources from which preparation measures its errors")};
 }
 
-const auto straight_graph =
-    add<ByAngle>("straight-graph", "prepares links once, for many sources",
-                 real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians"));
-const auto saddle_vertex_graph =
-    add<ByDisc>("saddle-vertex-graph", "prepares all links of discs once, for many sources",
-                integer_parameter("disc", 100, 1, 10000, "nearest vertices that links lead to"));
+const RegisterSolver<StraightGraph<ByAngle>> straight_graph{{
+    .name = "straight-graph",
+    .family = kFamily,
+    .paper = kPaper,
+    .exactness = Exactness::upper_bound,
+    .by_name_only = true,
+    .abilities = kAbilities,
+    .remarks = "prepares links once, for many sources",
+    .parameters =
+        parameters(real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians")),
+}};
+const RegisterSolver<StraightGraph<ByDisc>> saddle_vertex_graph{{
+    .name = "saddle-vertex-graph",
+    .family = kFamily,
+    .paper = kPaper,
+    .exactness = Exactness::upper_bound,
+    .by_name_only = true,
+    .abilities = kAbilities,
+    .remarks = "prepares all links of discs once, for many sources",
+    .parameters =
+        parameters(integer_parameter("disc", 100, 1, 10000, "nearest vertices that links lead to")),
+}};
 
 }  // namespace
 }  // namespace geodesic::straight_graph
