@@ -45,10 +45,15 @@ class Sources:
         targets = {f"{top}/{path}": target / path for path in repository.files}
         for file in targets.values():
             file.parent.mkdir(parents=True, exist_ok=True)
-        extract(archive, targets)
-        # Sums of the files, because the compression of the same archive may change over the years.
-        for path, expected in repository.files.items():
-            check_sha256(target / path, expected, f"{path} of {repository.repository}", "peer.json")
+        try:
+            extract(archive, targets)
+            # Sums of the files, because the compression of the same archive may change over the years.
+            for path, expected in repository.files.items():
+                check_sha256(target / path, expected, f"{path} of {repository.repository}", "peer.json")
+        except Unavailable:
+            if archive.is_relative_to(self.archives):  # the next build downloads it again
+                archive.unlink()
+            raise
 
     def _archive(self, repository: Repository) -> Path:
         place = self.origin(repository.archive)

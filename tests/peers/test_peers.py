@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import jsonschema
@@ -14,6 +17,11 @@ SCHEMA = jsonschema.Draft202012Validator(
     json.loads((ROOT / "peers" / "peer.schema.json").read_text("utf-8"))
 )
 FOLDERS = sorted(file.parent for file in ROOT.glob("peers/*/peer.json"))
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *args: object) -> None:
+        pass
 
 
 @pytest.fixture
@@ -54,6 +62,23 @@ def test_a_peer_that_cannot_be_had_is_one_line_with_the_reason(world: PeerWorld)
     for line, (name, (_, reason)) in zip(lines, MISSING.items(), strict=True):
         assert line.startswith(f"{name}: missing: {reason}")
         assert not (world.built / name / f"lib{name}.so").exists()
+
+
+def test_an_archive_that_was_not_the_right_one_is_downloaded_again(
+    world: PeerWorld, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    world.add("fake", files={HEADER: 64 * "0"})  # so that nothing is compiled
+    (archive,) = world.mirror.rglob("*.tar.gz")
+    right = archive.read_bytes()
+    archive.write_bytes(b"<html>please log in</html>")
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=world.mirror)) as site:
+        Thread(target=site.serve_forever, daemon=True).start()
+        address = f"http://127.0.0.1:{site.server_port}"
+        assert "cannot be unpacked" in world.build("fake", mirror=address).stdout
+        archive.write_bytes(right)
+        assert f"{HEADER} of somebody/codes" in world.build("fake", mirror=address).stdout
+        site.shutdown()
 
 
 def test_without_a_network_a_peer_is_one_line_and_fails_nothing_if_all_are_asked_for(
