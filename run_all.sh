@@ -21,6 +21,7 @@ meshes=
 folder=
 install=yes
 run_options=()
+adds_solvers=
 steps=()
 current=
 check_failed=
@@ -56,6 +57,11 @@ Options:
   --folder DIR         every mesh file in this folder and below it, in place of a corpus; meshes that
                        cannot be solved are listed with a reason
   --repair             repair meshes that cannot be solved, where possible
+  --external NAME=COMMAND, --plugin FILE
+                       more solvers, which --solvers names (docs/external-solvers.md, docs/plugins.md)
+  --cells, --source-sets, --seed, --min-time, --reference, --time-limit, --memory-limit, --vectors,
+  --recordings, --threads, --frames, --interleave, --accept-changes
+                       passed on to geodesic-bench run: see its --help
   --resume DIR         continue an interrupted run with its options
   --run DIR            folder of an old run, for check and plot (default: the newest)
   --preset NAME        the build to measure: release (default), or ci (the same with warnings as
@@ -75,7 +81,7 @@ EOF
 
 take_word() {
   case $1 in
-    --repair) run_options+=("$1") ;;
+    --repair | --frames | --interleave | --accept-changes) run_options+=("$1") ;;
     --preset) take_preset "$@" ;;
     --corpus) take_value "$@"; corpus=$value ;;
     --folder)
@@ -88,6 +94,17 @@ take_word() {
     --meshes) take_value "$@"; meshes=$value ;;
     --sources | --further-sources | --path-targets | --repetitions)
       take_number "$@"
+      run_options+=("$1" "$value")
+      ;;
+    --external | --plugin)
+      take_value "$@"
+      if [[ -e $value ]]; then value=$(absolute "$value"); fi
+      run_options+=("$1" "$value")
+      adds_solvers=yes
+      ;;
+    --cells | --source-sets | --seed | --min-time | --reference | --time-limit | --memory-limit | --vectors | \
+      --recordings | --threads)
+      take_value "$@"
       run_options+=("$1" "$value")
       ;;
     --out) take_value "$@"; out=$(absolute "$value") ;;
@@ -183,18 +200,18 @@ step_run() {
     what=()
     where=(--resume "$resumed")
   fi
-  (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
+  (cd "$root" && GEODESIC_COMMAND="./run_all.sh$(given_words)" \
+    logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
   # Failed cells are results, which check reports. Only an incomplete run is an error here.
   if [[ $status -ge 128 || ! -f $out/run.json ]]; then
-    if [[ -f $out/request.json ]]; then say "To continue: $(command_to_resume)"; fi
+    if [[ -f $out/request.json ]]; then say "To continue: $(printf %q "$0")$(given_words) --resume $(printf %q "$out")"; fi
     exit "$status"
   fi
 }
 
-# command_to_resume: prints this command as it was given, with --resume in place of --out.
-command_to_resume() {
+# given_words: prints the words of this command as they were given, but --out and --resume.
+given_words() {
   local word skipped=
-  printf '%q' "$0"
   for word in "${given[@]}"; do
     if [[ -n $skipped ]]; then
       skipped=
@@ -204,7 +221,6 @@ command_to_resume() {
       printf ' %q' "$word"
     fi
   done
-  printf ' --resume %q' "$out"
 }
 
 # A failure only changes the exit code at the end, because the tables show failed cells.
@@ -233,7 +249,7 @@ check_words() {
     words+=(--corpus "$corpus")
   fi
   if [[ -n $meshes ]]; then words+=(--meshes "$meshes"); fi
-  if [[ -n $solvers ]]; then words+=(--solvers "$solvers"); fi
+  if [[ -n $solvers && -z $adds_solvers ]]; then words+=(--solvers "$solvers"); fi
   if [[ -n $peers ]]; then words+=(--peers "$peers"); fi
   if [[ -n $resumed ]]; then words+=(--resume "$resumed"); fi
   if [[ -n $old_run ]]; then words+=(--run "$old_run"); fi

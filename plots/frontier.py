@@ -266,7 +266,7 @@ def _how_to_read(run: Run, points: Sequence[Point]) -> str:
         "The time of an answer of n sources is a solve and its share of the preparation. Exact solvers are "
         "at 0. Filled: the solver declares a bound of its error; if it is not exact, a line joins its largest "
         "error to the bound. Hollow: it declares no bound. Lines join the settings of one solver.",
-        "A star marks public codes." if theirs else "",
+        "A star marks solvers of others." if theirs else "",
         "The grey line is the front: no point is both more exact and faster. On it, by the "
         f"{error}: {'; '.join(members)}.",
     )

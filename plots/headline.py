@@ -65,8 +65,8 @@ def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     if not exact or base in others or not run.solvers[base].exact:
         return ""
     solver = min(exact, key=lambda s: mean(ratios[s]))
-    fastest = f"Of the exact public codes, {solver} is the fastest"
-    one = f"The exact public code is {solver}"
+    fastest = f"Of the exact solvers of others, {solver} is the fastest"
+    one = f"The exact solver of others is {solver}"
     return f"{fastest if len(exact) > 1 else one}: {base} {_than(mean(ratios[solver]), 'it')}{_on(run, ratios[solver])}."
 
 

@@ -3,6 +3,7 @@ solver, and what is known of its distances."""
 
 from __future__ import annotations
 
+import shlex
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,13 +24,12 @@ from results.console import ROOT
 from results.reader import ResultError, Run
 from results.statistics import geometric_mean, median
 
-OURS, EXACT, OTHER = "of this project", "public code, exact or within 1e-6", "public code, approximate"
+OURS, EXACT, OTHER = "of this project", "of others, exact or within 1e-6", "of others, approximate"
 GROUPS = {OURS: "#000000", EXACT: "#0072B2", OTHER: "#D55E00"}
 """Colours of the groups."""
 NEARLY = 1e-6
 """Largest error bound of a solver that is grouped with the exact ones."""
-KEPT = ("--meshes", "--sources", "--repetitions")
-"""Options that the printed command of a run includes."""
+SCRIPT = "run_all.sh"
 CHARACTERS = 110
 """Largest length of a line of the footer."""
 
@@ -48,10 +48,10 @@ class Line:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError if the run has no public code with a time"""
+    """@raises ResultError if the run has no solver of others with a time"""
     public = run.of_others
     if not public:
-        raise ResultError(f"{run.file}: no public code: ./run_all.sh --peers all measures them")
+        raise ResultError(f"{run.file}: no solver of others: ./run_all.sh --peers all measures public codes")
     base = fastest_exact(run)
     lines = [_line(run, solver, base, public) for solver in columns(run)
              if solver in public or run.solvers[solver].exact]  # fmt: skip
@@ -62,15 +62,17 @@ def figure(run: Run) -> Drawing:
         key=lambda line: line.mean,
     )
     if not any(line.solver in public for line in shown):
-        raise ResultError(f"{run.file}: no public code has a first answer beside {base}'s")
+        raise ResultError(f"{run.file}: no solver of others has a first answer beside {base}'s")
     picture = _draw(run, shown, base)
+    absent = [line.solver for line in lines if line not in shown]
     return Drawing(
-        title="Ours and the public codes",
+        title="Our solvers and those of others",
         caption=sentences(
             f"Time of a first answer, preparation and solve, over that of {base}: a dot a mesh, paired "
             "by source and repetition; the bar and the number are the geometric mean over the meshes "
             "that have a verified answer. On the right, the guarantee of the distances or, where they are "
             "not exact, their relative errors: the mean over vertices and meshes, and the largest.",
+            f"Left out: {', '.join(absent)}, with times on few of the meshes or none." if absent else "",
             footer(run) + ".",
         ),
         figure=picture,
@@ -141,13 +143,42 @@ def footer(run: Run) -> str:
 
 
 def command(run: Run) -> str:
-    """Returns the command that measures the same in the root of a checkout with the meshes."""
-    files = [Path(plugin["file"]) for plugin in run.ours.get("plugins", []) if "file" in plugin]
-    names = list(dict.fromkeys(file.stem.removeprefix("lib") for file in files))
+    """Returns the command that measures the same in the root of a checkout with the meshes: the recorded one, without
+    its folder. Of a program that was started directly it is that of run_all.sh, which passes options on; of a
+    merged run that of a part."""
+    recorded = (run.ours.get("parts") or [run.ours])[0]["command"]
+    try:
+        words = shlex.split(recorded)
+    except ValueError:  # of a version that recorded words without quotes
+        words = recorded.split()
+    if Path(words[0]).name == SCRIPT:
+        return shlex.join(_without(words, {"--out", "--resume"}))
+    plugins = run.ours.get("plugins", [])
+    names = [Path(plugin["file"]).stem.removeprefix("lib") for plugin in plugins if "file" in plugin]
     known = {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}
-    peers = "all" if set(names) == known else ",".join(names)
-    words = run.ours["command"].split()
-    options = [f"{word} {value}" for word, value in zip(words, words[1:], strict=False) if word in KEPT]
-    with_peers = [f"--peers {peers}"] if peers else []
-    corpus = [] if "--meshes" in words else [f"--corpus {run.ours['corpus']}"]
-    return " ".join(["./run_all.sh", *corpus, *with_peers, *options])
+    at = words.index("run")
+    rest = words[at + 1 :]
+    if rest and not rest[0].startswith("-"):  # the file of a suite
+        rest[:1] = ["--corpus", run.ours["corpus"]]
+    options = _without(words[1:at] + rest, {"--out", "--resume", "--shard"})
+    if names and known.issuperset(names):
+        theirs = {solver for plugin in plugins for solver in plugin.get("solvers", [])}
+        options = [_but(word, theirs) for word in _without(options, {"--plugin"})]
+        options += ["--peers", "all" if known == set(names) else ",".join(names)]
+    return shlex.join([f"./{SCRIPT}", *options])
+
+
+def _without(words: Sequence[str], options: set[str]) -> list[str]:
+    """Returns the words without these options and their values."""
+    kept: list[str] = []
+    skips = False
+    for word in words:
+        if not skips and word.partition("=")[0] not in options:
+            kept.append(word)
+        skips = not skips and word in options
+    return kept
+
+
+def _but(word: str, solvers: set[str]) -> str:
+    """Returns a list of solvers without some."""
+    return ",".join(name for name in word.split(",") if name.partition("?")[0] not in solvers)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -193,6 +194,12 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
                    "resume although the program, an option or a mesh has changed");
 }
 
+/// The command that results have: of the script that started this program, if it names its own.
+std::string recorded_command(const std::string& command_line) {
+  const char* script = std::getenv("GEODESIC_COMMAND");
+  return script != nullptr && *script != '\0' ? script : command_line;
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, const std::string& command_line) {
@@ -203,7 +210,7 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   add_request_options(*command, *request, *plan_only);
   command->footer(kExamples);
   command->preparse_callback([request, command_line](std::size_t) {
-    require_text(command_line);
+    require_text(recorded_command(command_line));
     request->suite = read_suite(default_suite());
   });
   command->callback([request, plan_only, command_line] {
@@ -218,7 +225,7 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
           "--shard and --cells both choose a part of the run: leave out one of them");
     }
     if (request->resume) load_plugins_of(*request->resume);
-    request->command = command_line;
+    request->command = recorded_command(command_line);
     make_absolute(*request);
     if (*plan_only) {
       check_suite(request->suite);

@@ -124,7 +124,7 @@ def test_the_fastest_exact_public_code_is_named_and_preparation_is_not_left_out(
 
     sentences = headline.sentences(read_run(changed(change)))
     assert (
-        "Of the exact public codes, fwp-ch is the fastest: edge-based is 3.0 times as fast as it, on 2 of "
+        "Of the exact solvers of others, fwp-ch is the fastest: edge-based is 3.0 times as fast as it, on 2 of "
         "3 meshes." in sentences
     )
     assert "times as fast as edge-based, but takes 206 times the time of edge-based with its preparation, over 3 meshes." in sentences[2]

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import synthetic
-from synthetic import Data, mesh, solver
+from synthetic import Data, data_of, mesh, solver, with_rows
 
 from plots import answers, break_even, peers_overview, robustness, twins
 from results.reader import Mesh, ResultError, Run, Skip
@@ -18,7 +18,7 @@ from results.table import Field, Table
 SOLVERS = {
     name: solver(name, exactness, error_bound=0.01)
     for name, exactness in [
-        ("edge-based", "exact"), ("vtp", "exact"), ("my-heat", "unbounded"), ("avtp", "bounded"),
+        ("edge-based", "exact"), ("vtp", "exact"), ("gc-heat", "unbounded"), ("avtp", "bounded"),
     ]
 }  # fmt: skip
 MESHES = {"knot-1k": mesh("knot-1k", 1000), "knot-100k": mesh("knot-100k", 100_000)}
@@ -80,13 +80,13 @@ def test_ratios_are_paired_by_source() -> None:
 def test_errors_are_the_largest_and_the_middle_mean_and_wrong_answers_have_them_too() -> None:
     rows = [
         row("edge-based"),
-        row("my-heat", source=0, max_relative_error=0.5, mean_relative_error=0.01),
-        row("my-heat", source=1, max_relative_error=0.9, mean_relative_error=0.03),
+        row("gc-heat", source=0, max_relative_error=0.5, mean_relative_error=0.01),
+        row("gc-heat", source=1, max_relative_error=0.9, mean_relative_error=0.03),
         failed("vtp", "knot-1k", "wrong answer", max_relative_error=0.017,
                mean_relative_error=1e-5),
     ]  # fmt: skip
     table = answers.table(run_of(rows))
-    heat, vtp = (of_solver(table, solver) for solver in ("my-heat", "vtp"))
+    heat, vtp = (of_solver(table, solver) for solver in ("gc-heat", "vtp"))
     assert heat["Largest error"].value == 0.9 and heat["Mean error"].value == pytest.approx(0.02)
     assert (heat["Promise"].text, heat["Outcome"].text) == ("unbounded", "ok")
     assert (vtp["Outcome"].text, vtp["First answer"].text) == ("wrong answer", "")
@@ -95,9 +95,9 @@ def test_errors_are_the_largest_and_the_middle_mean_and_wrong_answers_have_them_
 
 
 def test_the_fastest_first_answer_stands_first_and_failures_last() -> None:
-    rows = [failed("vtp", "knot-1k", "crashed"), row("edge-based", cpu_time=5), row("my-heat")]
+    rows = [failed("vtp", "knot-1k", "crashed"), row("edge-based", cpu_time=5), row("gc-heat")]
     table = answers.table(run_of(rows, {"knot-1k": MESHES["knot-1k"]}))
-    assert [line[1].text for line in table.rows] == ["my-heat", "edge-based", "vtp"]
+    assert [line[1].text for line in table.rows] == ["gc-heat", "edge-based", "vtp"]
 
 
 # ---- twins
@@ -129,7 +129,7 @@ def test_a_twin_that_fails_is_shown_with_its_outcome() -> None:
 
 def test_without_a_twin_there_is_no_table() -> None:
     with pytest.raises(ResultError, match=r"run\.json: no solver of ours beside a public code"):
-        twins.table(run_of([row("edge-based"), row("my-heat")]))
+        twins.table(run_of([row("edge-based"), row("gc-heat")]))
 
 
 # ---- which solver is right on which case
@@ -147,8 +147,8 @@ def case_run() -> Run:
             row("edge-based", "apart"), row("edge-based", "pinched"),
             failed("vtp", "apart", "wrong answer", unreachable_mismatches=3),
             row("vtp", "pinched", source=0), failed("vtp", "pinched", "crashed", source=1),
-            row("my-heat", "apart", max_relative_error=0.25),
-            failed("my-heat", "pinched", "unsupported"),
+            row("gc-heat", "apart", max_relative_error=0.25),
+            failed("gc-heat", "pinched", "unsupported"),
             row("avtp", "apart", max_relative_error=0.001),
             failed("avtp", "pinched", "wrong answer", max_relative_error=0.5),
         ],
@@ -163,7 +163,7 @@ def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
     assert shown == {
         "edge-based": ("right", "right"),
         "vtp": ("wrong: reach of 3", "crash"),
-        "my-heat": ("off: 2.5e-01", "unsupported"),
+        "gc-heat": ("off: 2.5e-01", "unsupported"),
         "avtp": ("right", "wrong: 5.0e-01"),
     }
 
@@ -210,7 +210,7 @@ def test_the_cases_of_each_word_are_counted() -> None:
     assert {line[0].text: [c.value for c in line[2:]] for line in table.rows} == {
         "edge-based": [2, 0, 0, 0, 0],
         "vtp": [0, 0, 0, 1, 1],
-        "my-heat": [0, 1, 1, 0, 0],
+        "gc-heat": [0, 1, 1, 0, 0],
         "avtp": [1, 0, 0, 1, 0],
     }
 
@@ -268,9 +268,9 @@ def heat_run_beside(others: list[Data]) -> Run:
     return run_of(
         [
             row("edge-based", prepare_time=1, cpu_time=3),
-            row("my-heat", prepare_time=10, cpu_time=1, **errors),
+            row("gc-heat", prepare_time=10, cpu_time=1, **errors),
             row("edge-based", "knot-100k", prepare_time=1, cpu_time=3),
-            row("my-heat", "knot-100k", prepare_time=10, cpu_time=4, **errors),
+            row("gc-heat", "knot-100k", prepare_time=10, cpu_time=4, **errors),
             *others,
         ]
     )
@@ -287,7 +287,7 @@ def test_break_even_stands_by_mesh_with_the_error_beside_it() -> None:
 def test_the_caption_says_from_how_many_sources_on() -> None:
     drawn = break_even.figure(heat_run())
     assert (
-        "my-heat is faster than edge-based from 5 sources at 1,000 vertices and no number of "
+        "gc-heat is faster than edge-based from 5 sources at 1,000 vertices and no number of "
         "sources at 100,000 vertices on, with a mean error of up to 4%." in drawn.caption
     )
 
@@ -295,7 +295,7 @@ def test_the_caption_says_from_how_many_sources_on() -> None:
 def test_solvers_whose_preparation_is_shorter_than_an_exact_answer_have_no_break_even() -> None:
     quick: Data = {"prepare_time": 2, "cpu_time": 1, "max_relative_error": 0.9}
     run = heat_run_beside([row("quick", mesh, **quick) for mesh in MESHES])
-    assert {row[0].text for row in break_even.table(run).rows} == {"my-heat"}
+    assert {row[0].text for row in break_even.table(run).rows} == {"gc-heat"}
 
 
 def test_one_mesh_has_no_break_even_over_size() -> None:
@@ -311,9 +311,9 @@ def peers_run(**ours: Any) -> Run:
     rows = [
         *(row(s, mesh, cpu_time=10) for s in ("edge-based",) for mesh in MESHES),
         row("vtp", cpu_time=20, prepare_time=5),
-        row("my-heat", cpu_time=2, prepare_time=50, max_relative_error=0.2, mean_relative_error=0.03),
+        row("gc-heat", cpu_time=2, prepare_time=50, max_relative_error=0.2, mean_relative_error=0.03),
     ]
-    plugins = [{"file": f"/some/where/peers/{n}/lib{n}.so", "solvers": [n]} for n in ("vtp", "my-heat")]
+    plugins = [{"file": f"/some/where/peers/{n}/lib{n}.so", "solvers": [n]} for n in ("vtp", "gc-heat")]
     context = {"plugins": plugins, "started": "2026-01-02T03:04:05Z", "processor": "P", "corpus": "standard",
                "command": "geodesic-bench run --corpus standard --plugin /some/where/libvtp.so --sources 2"}  # fmt: skip
     return replace(run_of(rows), context={"geodesic_bench": context | ours})
@@ -322,7 +322,7 @@ def peers_run(**ours: Any) -> Run:
 def test_the_picture_of_peers_has_preparation_errors_and_the_meshes_that_are_lacking() -> None:
     drawn = peers_overview.figure(peers_run())
     axes = drawn.figure.axes[0]
-    assert [tick.get_text() for tick in axes.get_yticklabels()] == ["edge-based", "vtp", "my-heat"]
+    assert [tick.get_text() for tick in axes.get_yticklabels()] == ["edge-based", "vtp", "gc-heat"]
     texts = [text.get_text() for text in axes.texts]
     assert texts[2::2] == ["2.27", "4.73"]  # (20 + 5) / (10 + 1), (2 + 50) / (10 + 1)
     assert texts[3::2] == [
@@ -331,12 +331,40 @@ def test_the_picture_of_peers_has_preparation_errors_and_the_meshes_that_are_lac
 
 
 def test_the_picture_of_peers_says_when_on_what_and_how_it_was_measured() -> None:
-    words = "2026-01-02, P, 2 meshes: ./run_all.sh --corpus standard --peers vtp,my-heat --sources 2"
+    words = "2026-01-02, P, 2 meshes: ./run_all.sh --corpus standard --sources 2 --peers vtp,gc-heat"
     drawn = peers_overview.figure(peers_run())
     assert words in drawn.caption and "/some/where" not in drawn.caption
     assert " ".join(drawn.figure._supxlabel.get_text().split()) == words
 
 
+@pytest.mark.parametrize(
+    ("recorded", "printed"),
+    [
+        ("./run_all.sh --meshes 'a b' --external 'mine=m {mesh}' --out x --sources 2",
+         "./run_all.sh --meshes 'a b' --external 'mine=m {mesh}' --sources 2"),
+        ("/usr/bin/geodesic-bench run --corpus quick --plugin libvtp.so --solvers mmp,vtp,gc-heat?time=2 --out=y",
+         "./run_all.sh --corpus quick --solvers mmp --peers vtp,gc-heat"),
+        ("geodesic-bench --plugin libvtp.so run suite.json --sources 2",
+         "./run_all.sh --corpus standard --sources 2 --peers vtp,gc-heat"),
+    ],
+)  # fmt: skip
+def test_the_command_of_a_run_can_be_given_again(recorded: str, printed: str) -> None:
+    assert peers_overview.command(peers_run(command=recorded)) == printed
+
+
+def test_the_command_of_a_merged_run_is_a_part_s_without_its_number() -> None:
+    parts = [{"command": f"geodesic-bench run --corpus quick --shard {k}/2 --out {k}"} for k in (1, 2)]
+    run = peers_run(command="geodesic-bench merge 1 2 --out all", parts=parts, plugins=[])
+    assert peers_overview.command(run) == "./run_all.sh --corpus quick"
+
+
+def test_solvers_that_the_picture_of_peers_leaves_out_are_named() -> None:
+    assert "Left out" not in peers_overview.figure(peers_run()).caption
+    rows = [one for one in data_of(peers_run()) if one["solver"] != "gc-heat"]
+    run = with_rows(peers_run(), [*rows, failed("gc-heat", "knot-1k", "time-out")])
+    assert "Left out: gc-heat, with times on few of the meshes or none." in peers_overview.figure(run).caption
+
+
 def test_a_run_without_public_codes_has_no_picture_of_them() -> None:
-    with pytest.raises(ResultError, match="no public code: ./run_all.sh --peers all"):
+    with pytest.raises(ResultError, match="no solver of others: ./run_all.sh --peers all"):
         peers_overview.figure(peers_run(plugins=[]))

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "tests/fuzz/fuzz.sh", "tools/lint.sh"]
 KNOWN_BY = [
     "datasets/manifest.json", "peers/vtp/peer.json", "peers/pvtp/peer.json",
@@ -147,7 +148,7 @@ def test_where_no_chroot_can_be_made_the_exit_code_is_77(
     assert not (checkout / "build").exists()
 
 
-OF_RUN_ALL = "corpus preset folder peers solvers meshes sources out run resume".split()
+OF_RUN_ALL = "corpus preset folder peers solvers meshes sources out run resume external plugin seed".split()
 NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"), ("--sources", "99999999")]
 
 
@@ -287,6 +288,35 @@ def test_an_interrupted_run_names_the_command_that_continues_it(checkout: Path) 
     assert f"asked: run --resume {out}\n" in ended.stdout
 
 
+def test_every_option_of_run_is_one_of_the_main_job_too(checkout: Path) -> None:
+    left = {"--shard": "merged runs (docs/clusters.md)", "--program": "of the gate", "--plan": "prints only",
+            "--benchmark": "flags of Google Benchmark", "--manifest": "fetch reads the manifest of the checkout"}  # fmt: skip
+    helps = [subprocess.run(words, capture_output=True, text=True, check=True).stdout
+             for words in ([str(BENCH), "run", "--help"], [str(checkout / "run_all.sh"), "--help"])]  # fmt: skip
+    of_run, of_job = (set(re.findall(r"--[a-z][a-z-]*", text.partition("\nExamples")[0])) for text in helps)
+    assert of_run - of_job == {*left}
+    words = ["--seed=5", "--interleave", "--external", "mine=a {mesh}", "--solvers", "mine"]
+    bench(checkout)
+    ended = run(checkout / "run_all.sh", "run", "--no-install", "--out", str(checkout / "x"), *words)
+    asked = f"--seed 5 --interleave --external mine=a {{mesh}} --solvers mine --out {checkout}/x"
+    assert f"asked: run --corpus standard {asked}\n" in ended.stdout, ended.stderr
+
+
+def test_every_solver_is_known_before_the_program_is_built() -> None:
+    listed = subprocess.run([BENCH, "list"], capture_output=True, text=True, check=True).stdout
+    names = re.findall(r"^  ([a-z][a-z-]*)  ", listed.partition("\n\n")[0], re.MULTILINE)[1:]
+    assert {"edge-based", "straight-graph", "saddle-vertex-graph"} <= {*names}
+    ended = run(ROOT / "tools" / "check_words.py", "--solvers", ",".join(names))
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_the_recorded_command_is_that_of_the_main_job_without_its_folder(checkout: Path) -> None:
+    program(checkout / "build/release/geodesic-bench", 'echo "recorded: $GEODESIC_COMMAND"; exit 1')
+    words = ["run", "--no-install", "--meshes", "scans/a b.ply,cube", "--out", str(checkout / "x"), "--sources", "2"]
+    ended = run(checkout / "run_all.sh", *words)
+    assert "recorded: ./run_all.sh run --no-install --meshes scans/a\\ b.ply\\,cube --sources 2\n" in ended.stdout
+
+
 def test_options_reach_the_program(checkout: Path) -> None:
     bench(checkout)
     out = checkout / "new run"
@@ -358,7 +388,8 @@ def ci(checkout: Path) -> Callable[..., Ended]:
             stem = Path(name).stem
             before = made if name == "run_tests.sh" else ""
             program(checkout / name, f'{before}echo "{stem}: $*"; exit {ends.get(stem, 0)}')
-        return run(checkout / ".ci" / script)
+        ccache = program(checkout / "bin" / "ccache", "exit 1")
+        return run(checkout / ".ci" / script, env=before_others(ccache))
 
     return start
 
@@ -384,9 +415,9 @@ def test_ci_ends_with_the_number_of_tests_and_runs_the_job_whatever_they_say(
     assert ended.returncode == (0 if last.endswith(" 0 failed") else 1)
     assert f"{5 if no_chroot else 4} tests skipped" in ended.stdout
     assert ended.stdout.splitlines()[-1] == last
-    main_job = "--corpus tiny --repetitions 2"
+    main_job = "--preset ci --corpus tiny --repetitions 2"
     assert f"on_debian: --bare bookworm ./run_all.sh {main_job}" in ended.stdout
-    assert (f"run_all: --preset ci {main_job}" in ended.stdout) == no_chroot
+    assert (f"run_all: {main_job}" in ended.stdout) == no_chroot
 
 
 @pytest.mark.parametrize(
