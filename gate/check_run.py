@@ -2,8 +2,8 @@
 the other cells and ends with exit code 1.
 
 Some cells are listed without being failures: a solver that does not support a mesh, an outcome that
-the suite expects, and a solver that was skipped on a mesh for a stated reason. A mesh that was skipped
-by all solvers is a failure, unless --allow-skipped is given. With --others-may-fail, failures of the
+the suite expects, and a solver or a mesh that was skipped for a stated reason. A mesh that was named and
+is there, but cannot be solved, is a failure, as it is of the run. With --others-may-fail, failures of the
 solvers of plug-ins and of oracles are listed as findings and are not failures of the run.
 """
 
@@ -29,10 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = console.run_parser(
         __doc__,
         "geodesic-bench check",
-        "geodesic-bench check results/runs/mine --allow-skipped",
-    )
-    parser.add_argument(
-        "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
+        "geodesic-bench check results/runs/mine --long",
     )
     parser.add_argument(
         "--others-may-fail", action="store_true",
@@ -73,7 +70,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     lacking = len(run.not_measured)
     meshes = f"; meshes not measured: {lacking}" if lacking else ""
     print(f"cells: {passed} verified, {len(failed)} failed{meshes}")
-    return 1 if failed or not passed or (lacking and not options.allow_skipped) else 0
+    unreadable = any(skip.unreadable for skip in run.not_measured)
+    return 1 if failed or not passed or unreadable else 0
 
 
 if __name__ == "__main__":

@@ -173,6 +173,8 @@ class Skip:
     mesh: str
     solver: str | None
     why: str
+    unreadable: bool = False
+    """Whether the mesh is there and was named, but cannot be solved: an error of the run."""
 
 
 @dataclass(frozen=True, eq=False)

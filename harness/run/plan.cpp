@@ -345,8 +345,9 @@ Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh*
   json["skipped"] = Json::array();
   if (mesh == nullptr) {
     for (const SkippedMesh& skipped : plan.skipped) {
-      json["skipped"].push_back(
-          {{"mesh", skipped.name}, {"solver", nullptr}, {"why", skipped.why}});
+      Json one{{"mesh", skipped.name}, {"solver", nullptr}, {"why", skipped.why}};
+      if (skipped.unreadable) one["unreadable"] = true;
+      json["skipped"].push_back(std::move(one));
     }
   }
   if (request.interleave) json["interleaved"] = true;

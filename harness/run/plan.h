@@ -58,7 +58,7 @@ struct Cell {
 struct SkippedMesh {
   std::string name;
   std::string why;
-  bool unreadable = false;  ///< the file exists, but its mesh cannot be solved
+  bool unreadable = false;  ///< it was named and is there, but cannot be solved
 };
 
 struct Plan {

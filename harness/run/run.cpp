@@ -1,6 +1,7 @@
 #include "harness/run/run.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -233,8 +234,12 @@ void Run::explain_resuming() const {
   const std::string folder = fs::absolute(folder_).string();
   std::cerr << "\n"
             << kept_.size() + measured_ << " of " << cells_.size() << " cells are saved in "
-            << folder << "; to measure the others:\n  "
-            << as_command_line({"run", "--resume", folder}) << std::endl;
+            << folder;
+  // A script names the command that continues its own steps.
+  if (std::getenv("GEODESIC_COMMAND") == nullptr) {
+    std::cerr << "; to measure the others:\n  " << as_command_line({"run", "--resume", folder});
+  }
+  std::cerr << std::endl;
 }
 
 void Run::assemble() const {
@@ -314,6 +319,7 @@ RunResult run(RunRequest request) {
   }
   Plan plan = make_plan(request);
   warn_of_names(plan, request.manifest);
+  report_skipped(plan);
   const auto folder = request.resume
                           ? std::make_unique<RunFolder>(*request.resume)
                           : std::make_unique<RunFolder>(request.out, default_name(request));

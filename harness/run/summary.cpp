@@ -54,14 +54,17 @@ std::string time_text(double ms) {
 
 }  // namespace
 
+void report_skipped(const Plan& plan) {
+  for (const SkippedMesh& skipped : plan.skipped) {
+    std::cerr << "skipped " << skipped.name << ": " << skipped.why << '\n';
+  }
+}
+
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite) {
   RunResult result = RunResult::ok;
   for (const Row& row : rows) result = std::max(result, report_failure(row, suite));
-  for (const SkippedMesh& skipped : plan.skipped) {
-    std::cerr << "skipped " << skipped.name << ": " << skipped.why << '\n';
-    if (skipped.unreadable) result = std::max(result, RunResult::error);
-  }
-  return result;
+  const bool unreadable = std::ranges::any_of(plan.skipped, &SkippedMesh::unreadable);
+  return unreadable ? std::max(result, RunResult::error) : result;
 }
 
 std::string one_line(const std::vector<Row>& rows) {

@@ -323,10 +323,11 @@ TEST_F(RunTest, AWrongAnswerFromAFurtherSourceLeavesNoTime) {
   expect_no_time(wrong);
 }
 
-TEST_F(RunTest, AMeshWithoutAnySourceIsSkippedWithTheReason) {
+TEST_F(RunTest, AMeshWithoutAnySourceIsSkippedBeforeTheFirstCellWithTheReason) {
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "0", "--meshes",
                                          "hill,tetrahedron", "--source-sets", "boundary"});
   expect_words(run.err, {"skipped tetrahedron: no vertex is a source (boundary)"});
+  EXPECT_LT(run.err.find("skipped tetrahedron"), run.err.find("[1/2]")) << run.err;
   EXPECT_EQ(rows().size(), 2u);
 }
 

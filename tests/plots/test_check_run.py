@@ -37,16 +37,16 @@ def test_verified_run_passes(changed: Changed, capsys: pytest.CaptureFixture[str
     assert capsys.readouterr().out.splitlines()[-1] == "cells: 12 verified, 0 failed"
 
 
-def test_a_mesh_that_was_skipped_fails_unless_allowed(
-    changed: Changed, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(("more", "code"), [({}, 0), ({"unreadable": True}, 1)])
+def test_a_mesh_that_was_skipped_is_listed_and_fails_where_it_fails_the_run(
+    changed: Changed, capsys: pytest.CaptureFixture[str], more: dict[str, bool], code: int
 ) -> None:
     def change(data: dict[str, Any]) -> None:
         keep_only_good(data)
-        skip = {"mesh": "bunny", "solver": None, "why": "not in the dataset cache"}
+        skip = {"mesh": "bunny", "solver": None, "why": "not in the dataset cache"} | more
         data["context"]["geodesic_bench"]["skipped"].append(skip)
 
-    run = str(changed(change))
-    assert [check_run.main([run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
+    assert check_run.main([str(changed(change))]) == code
     printed = capsys.readouterr().out
     assert "NOT MEASURED: bunny: not in the dataset cache" in printed
     assert "without a time: ch: skipped on horse: ch is for meshes of at most 20000 vertices" in printed
