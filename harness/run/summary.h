@@ -15,8 +15,9 @@ enum class RunResult { ok = 0, error = 1, wrong_answer = 2 };
 /// Writes a line to standard error for every skipped mesh.
 void report_skipped(const Plan& plan);
 
-/// Writes a line to standard error for every row that failed or could not be recorded. Outcomes that the suite expects, unsupported meshes, cells that were skipped
-/// after a failure, and meshes that are not in the cache are no errors.
+/// Writes a line to standard error for every row that failed or could not be recorded. Outcomes
+/// that the suite expects, unsupported meshes, cells that were skipped after a failure, and meshes
+/// that are not in the cache are no errors.
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite);
 
 /// The result of a cell in one line: "ok  12.3 ms", "wrong answer: vertex 7 has ..."
