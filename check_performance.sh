@@ -31,6 +31,7 @@ Options:
   --budget SECONDS     of level 4 for rows that the first pairs do not decide (default: 300)
   --a-a N              no base: one build against itself, N sessions, for this machine's noise;
                        later margins below it are refused
+  --all                measure on when a failure makes the verdict certain
   --strict             exit with 4 when a row is not resolved
   --out DIR            for verdict.md, verdict.json, logs and runs (default: build/gate/<time>)
   --update-baseline    rewrite the counters' baseline from the working tree
@@ -49,7 +50,7 @@ take_word() {
       take_value "$@"
       words+=("$1" "$value")
       ;;
-    --strict | --update-baseline) words+=("$1") ;;
+    --all | --strict | --update-baseline) words+=("$1") ;;
     -*) unknown_option "$1" ;;
     *) words+=("$1") ;;
   esac

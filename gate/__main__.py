@@ -19,6 +19,7 @@ from gate import revisions
 from gate.builds import Tree, build, tree_of
 from gate.findings import GateError
 from gate.program import Program
+from gate.progress import say
 from gate.verdict import as_text, write
 
 ROOT = console.ROOT
@@ -60,6 +61,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--solvers", default="")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--strict", action="store_true")
+    parser.add_argument("--all", action="store_true", dest="everything")
     parser.add_argument("--a-a", type=sessions, metavar="N")
     parser.add_argument("--update-baseline", action="store_true")
     parser.add_argument("--reason", default="")
@@ -70,6 +72,8 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
         parser.error('--update-baseline needs --reason "why the change may be accepted"')
     if options.reason and not options.update_baseline:
         parser.error("--reason is for --update-baseline")
+    if options.everything and (options.update_baseline or options.a_a):
+        parser.error("--all is for a comparison with a base")
     if options.a_a and options.head:
         parser.error("--a-a takes one revision")
     if not options.update_baseline and not options.a_a and options.base is None:
@@ -79,7 +83,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
 
 def _ready(trees: list[Tree], chosen: revisions.Options) -> list[Program]:
     """Builds the programs and generates the meshes of the suite."""
-    revisions.say(f"building {' and '.join(tree.label for tree in trees)}")
+    say(f"building {' and '.join(tree.label for tree in trees)}")
     build(trees, chosen.solvers, chosen.out)
     cache = GATE / "meshes"
     manifest = ROOT / "datasets" / "manifest.json"
@@ -97,7 +101,7 @@ def judge(options: argparse.Namespace, out: Path) -> int:
     """Runs the levels, writes the report and returns the exit code."""
     solvers = tuple(name for name in options.solvers.split(",") if name)
     chosen = revisions.Options(out, options.levels, options.margin, options.budget, solvers,
-                           strict=options.strict, noise_file=NOISE)  # fmt: skip
+                           strict=options.strict, everything=options.everything, noise_file=NOISE)  # fmt: skip
     if options.update_baseline:
         [program] = _ready([tree_of(ROOT, "head", None)], chosen)
         print("\n".join(revisions.update_baseline(program, ROOT, options.reason.strip(), chosen)))
@@ -111,7 +115,7 @@ def judge(options: argparse.Namespace, out: Path) -> int:
         verdict = revisions.compare(base, head, head_tree.folder, chosen)
     print(as_text(verdict), end="")
     write(verdict, out)
-    revisions.say(f"Report: {out}/verdict.md and verdict.json")
+    say(f"Report: {out}/verdict.md and verdict.json")
     return verdict.exit_code
 
 

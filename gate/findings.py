@@ -82,6 +82,12 @@ class LevelResult:
         elif number.above(warn):
             self.add(Weight.WARNING, text, solver=solver)
 
+    @property
+    def failed(self) -> bool:
+        """Whether the verdict is certain after this level, whatever the other levels find: no level
+        takes a wrong answer or a regression back."""
+        return any(f.exit_code in (WRONG_ANSWER, REGRESSION) for f in self.findings)
+
     def grew(self, solver: str) -> bool:
         """Whether a number of this solver increased at this level, even within its limit."""
         return any(f.solver == solver and f.weight != Weight.NOTE for f in self.findings)

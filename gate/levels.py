@@ -14,12 +14,16 @@ from results.reader import Cell
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
 from gate.measured import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.program import NotCountableError, Program, Verified
+from gate.progress import about, say
 
+INSTRUCTIONS = "Instructions inside solve, counted by callgrind"
 INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
 MEMORY_FAIL = 0.02
 CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
 """The smallest meshes of the suite, because a program runs 50 times slower under callgrind."""
+SECONDS_OF_COUNT = 2.5
+"""Typical duration of one count, for the announcement of level 2."""
 
 
 def answers(base: Verified, head: Verified) -> LevelResult:
@@ -97,7 +101,7 @@ def instructions(
     base: Program, head: Program, base_run: Verified, head_run: Verified, processes: int
 ) -> LevelResult:
     """Level 2: instructions inside solve, counted by callgrind."""
-    result = LevelResult(2, "Instructions inside solve, counted by callgrind")
+    result = LevelResult(2, INSTRUCTIONS)
     compilers = [run.context["compiler"] for run in (base_run, head_run)]
     if shutil.which("valgrind") is None:
         result.skipped = "valgrind is not installed (Debian's package valgrind)"
@@ -107,6 +111,8 @@ def instructions(
         return result
     both = [after.cell for _, after in common(base_run, head_run)]
     cells = [cell for cell in both if cell.mesh in CALLGRIND_MESHES]
+    seconds = 2 * len(cells) * SECONDS_OF_COUNT / processes
+    say(f"level 2: counting the instructions of {len(cells)} rows in base and head, {about(seconds)}")
     try:
         with ThreadPoolExecutor(processes) as pool:
             old_counts = pool.map(base.instructions, cells)

@@ -1,12 +1,11 @@
-"""Runs all levels on two programs, in order, and returns the verdict."""
+"""Runs the levels on two programs, says the result of each when it ends, and returns the verdict."""
 
 from __future__ import annotations
 
 import itertools
 import os
 import shutil
-import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +15,10 @@ from results.pairs import Pairs
 from results.reader import Cell
 
 from gate import baseline, levels, timing
-from gate.findings import WRONG_ANSWER, GateError, LevelResult
+from gate.findings import GateError, LevelResult
 from gate.program import Program, Verified
-from gate.verdict import Verdict, judge
+from gate.progress import say
+from gate.verdict import Verdict, judge, of_level
 
 CORPUS = "regression"
 ALL_LEVELS = (0, 1, 2, 3, 4)
@@ -40,33 +40,46 @@ class Options:
     meshes: tuple[str, ...] = ()
     """Names of meshes of the manifest to use instead of the suite; empty for the suite."""
     strict: bool = False
+    everything: bool = False
+    """Measures on when the verdict is certain."""
     noise_file: Path | None = None
     """File in which --a-a stores the measured noise."""
 
 
-def say(line: str) -> None:
-    """Prints progress to the error stream, so that the output is only the verdict."""
-    print(line, file=sys.stderr, flush=True)
-
-
 def compare(base: Program, head: Program, baseline_tree: Path, options: Options) -> Verdict:
-    """@raises GateError when the programs cannot be compared"""
+    """Runs the levels, those that need no further process first, until the verdict is certain.
+
+    @raises GateError when the programs cannot be compared"""
     say("levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:  # both at once: nothing is timed here
         base_run, head_run = pool.map(lambda program: verify(program, options), (base, head))
-    # Level 0 always runs: after a wrong answer the other levels do not matter.
-    results = [levels.answers(base_run, head_run)]
+    results: list[LevelResult] = []
+
+    def add(result: LevelResult) -> None:
+        results.append(result)
+        for line in of_level(result):
+            say(line)
+
+    def measure(level: int, title: str, measured: Callable[[], LevelResult]) -> None:
+        failed = min((one.level for one in results if one.failed), default=None)
+        if level not in options.levels:
+            return
+        if failed is None or options.everything:
+            add(measured())
+        else:
+            why = f"level {failed} has failed, so that the verdict is certain (--all measures on)"
+            add(LevelResult(level, title, skipped=why))
+
+    add(levels.answers(base_run, head_run))  # always
     if 1 in options.levels:
         counters = baseline.read(baseline_tree)
-        results.append(baseline.compare(counters, head_run, options.solvers or None))
-    if 2 in options.levels:
-        say("level 2: counting instructions")
-        processes = os.cpu_count() or 1
-        results.append(levels.instructions(base, head, base_run, head_run, processes))
+        add(baseline.compare(counters, head_run, options.solvers or None))
     if 3 in options.levels:
-        results.append(levels.memory(base_run, head_run))
-    if 4 in options.levels:
-        results.append(_time(base, head, base_run, head_run, results, options))
+        add(levels.memory(base_run, head_run))
+    processes = os.cpu_count() or 1
+    measure(2, levels.INSTRUCTIONS,
+            lambda: levels.instructions(base, head, base_run, head_run, processes))  # fmt: skip
+    measure(4, timing.TITLE, lambda: _time(base, head, base_run, head_run, results, options))
     return judge(base.label, head.label, results, options.strict)
 
 
@@ -74,21 +87,19 @@ def _time(
     base: Program, head: Program, base_run: Verified, head_run: Verified,
     earlier: Sequence[LevelResult], options: Options,
 ) -> LevelResult:
-    if any(finding.exit_code == WRONG_ANSWER for finding in earlier[0].findings):
-        return LevelResult(4, "CPU time", skipped="there is a wrong answer: nothing is timed")
     cells = timing.timed_cells([before for before, _ in levels.common(base_run, head_run)])
     if options.noise_file is not None:
         timing.check_margin(options.noise_file, _processor(head_run), cells, options.margin)
     if not cells:
-        return LevelResult(4, "CPU time", skipped="base and head have no row in common")
+        return LevelResult(4, timing.TITLE, skipped="base and head have no row in common")
     grown = {
         cell.solver: level.level
-        for level in reversed(earlier) if level.level in (1, 2)
+        for level in sorted(earlier, key=lambda one: -one.level) if level.level in (1, 2)
         for cell in cells if level.grew(cell.solver)
     }  # fmt: skip
-    session = sessions(base, head, options)
-    measured = timing.measure(cells, session, options.margin, grown, options.budget, say)
-    return timing.report(measured, options.budget)
+    timed = timing.Timing(options.margin, grown, options.everything)
+    timing.measure(timed, cells, sessions(base, head, options), options.budget, say)
+    return timing.report(timed, options.budget)
 
 
 def sessions(base: Program, head: Program, options: Options) -> timing.Session:

@@ -22,7 +22,9 @@ from results.table import four_digits
 
 from gate.findings import REGRESSION, GateError, LevelResult, Weight
 from gate.measured import Measured
+from gate.progress import about
 
+TITLE = "CPU time, interleaved pairs"
 PAIRS = 15
 CONFIRMED = 2
 """Number of sessions that confirm a slower row; 1 if the solver also grew at level 1 or 2."""
@@ -30,6 +32,8 @@ SHORTEST_MS, LONGEST_MS = 10.0, 150.0
 """Least and longest time of a timed row: long enough for low noise, short enough for many pairs."""
 LEAST_ROWS = 3
 """Least number of timed rows of each solver, on any machine."""
+SECONDS_OF_PAIR = 0.8
+"""Typical duration of a pair of processes, for the announcement of a session."""
 
 Say = Callable[[str], None]
 Session = Callable[[Sequence[Cell]], dict[Cell, Pairs]]
@@ -64,6 +68,8 @@ class Timing:
     margin: float
     grown: dict[str, int]
     """Level, 1 or 2, at which a solver has grown, by solver."""
+    everything: bool = False
+    """Whether rows are measured until they are decided when another one has failed."""
     pairs: dict[Cell, Pairs] = field(default_factory=dict)
     sessions: dict[Cell, int] = field(default_factory=dict)
     _means: dict[str, Estimate] = field(default_factory=dict)
@@ -110,6 +116,12 @@ class Timing:
             return decision
         return Decision.UNDECIDED
 
+    @property
+    def certain(self) -> bool:
+        """Whether nothing more is measured because a row or a solver has failed."""
+        decisions = (*map(self.mean_decision, self.solvers), *map(self.decision, self.pairs))
+        return not self.everything and Decision.SLOWER in decisions
+
     def suspects(self) -> list[Cell]:
         """Returns the rows that need more pairs. A solver that is slower on the mean needs none."""
         found: list[Cell] = []
@@ -123,23 +135,25 @@ class Timing:
 
 
 def measure(
-    cells: Sequence[Cell], session: Session, margin: float, grown: dict[str, int], seconds: float,
-    say: Say,
-) -> Timing:
-    """Measures sessions until every row is decided or the budget for further sessions is spent."""
-    timing = Timing(margin, grown)
-    say(f"level 4: {len(cells)} rows, {PAIRS} pairs each")
+    timing: Timing, cells: Sequence[Cell], session: Session, seconds: float, say: Say
+) -> None:
+    """Measures sessions until every row is decided, one has failed, or the budget for further
+    sessions is spent."""
+
+    def lasts(rows: Sequence[Cell]) -> str:
+        return about(len(rows) * PAIRS * SECONDS_OF_PAIR)
+
+    say(f"level 4: {PAIRS} pairs of each of {len(cells)} rows, {lasts(cells)}")
     timing.add(session(cells))
     end = time.monotonic() + seconds
-    while (suspects := timing.suspects()) and time.monotonic() < end:
-        say(f"level 4: {len(suspects)} rows are not decided: {PAIRS} more pairs each")
+    while not timing.certain and (suspects := timing.suspects()) and time.monotonic() < end:
+        say(f"level 4: {PAIRS} more pairs of {len(suspects)} rows that are not decided, {lasts(suspects)}")
         timing.add(session(suspects))
-    return timing
 
 
 def report(timing: Timing, seconds: float) -> LevelResult:
     """Returns the result of level 4."""
-    result = LevelResult(4, f"CPU time, interleaved pairs, margin {timing.margin:g}")
+    result = LevelResult(4, f"{TITLE}, margin {timing.margin:g}")
     result.heading = ["row", "base ms", "head ms", "head/base", "99% interval", "pairs", "decision"]
     for solver in timing.solvers:
         failed = _report_mean(result, timing, solver)
@@ -181,11 +195,12 @@ def _report_row(
     if decision == Decision.SLOWER:
         result.fail(text + _cause(timing, cell.solver), REGRESSION, cell.solver)
     elif decision == Decision.UNDECIDED and not solver_failed:
-        result.add(
-            Weight.NOT_RESOLVED,
-            f"{text}: not decided against the margin in {seconds:g} s of further sessions: repeat"
-            " with a larger --budget, or on a quieter machine",
-        )
+        why = (
+            "not measured further, since the verdict is certain (--all measures on)" if timing.certain
+            else f"not decided against the margin in {seconds:g} s of further sessions: repeat"
+            " with a larger --budget, or on a quieter machine"
+        )  # fmt: skip
+        result.add(Weight.NOT_RESOLVED, f"{text}: {why}")
     elif _noticeable(ratio, timing.margin) and not solver_failed:
         result.add(Weight.WITHIN_MARGIN, text, solver=cell.solver)
 

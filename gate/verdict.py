@@ -67,22 +67,28 @@ def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> 
     code = next((code for code in WORST_FIRST if code in failures), GOOD)
     if code == GOOD and unresolved and strict:
         code = NOT_RESOLVED
-    return Verdict(base, head, list(levels), code)
+    return Verdict(base, head, sorted(levels, key=lambda level: level.level), code)
+
+
+def of_level(level: LevelResult) -> list[str]:
+    """Returns the lines that are printed when a level ends."""
+    findings = sorted(level.findings, key=lambda finding: -finding.weight)
+    return [_title(level), *(f"  {line}" for line in _lines(findings))]
 
 
 def as_text(verdict: Verdict) -> str:
-    lines = [verdict.headline, *(f"  {line}" for line in _lines(verdict))]
+    lines = [verdict.headline, *(f"  {line}" for line in _lines(verdict.findings))]
     return text_page(lines, map(_table, verdict.levels))
 
 
 def as_markdown(verdict: Verdict) -> str:
-    return markdown_page(verdict.headline, _lines(verdict), map(_table, verdict.levels))
+    return markdown_page(verdict.headline, _lines(verdict.findings), map(_table, verdict.levels))
 
 
-def _lines(verdict: Verdict) -> list[str]:
+def _lines(findings: Sequence[Finding]) -> list[str]:
     """Returns the first findings of each level and weight. The tables have all of them."""
     lines = []
-    for (level, weight), group in groupby(verdict.findings, key=lambda f: (f.level, f.weight)):
+    for (level, weight), group in groupby(findings, key=lambda f: (f.level, f.weight)):
         texts = [finding.text for finding in group]
         if len(texts) > FIRST + 1:
             texts[FIRST:] = [f"and {len(texts) - FIRST} more, in the table"]
@@ -90,11 +96,14 @@ def _lines(verdict: Verdict) -> list[str]:
     return lines
 
 
+def _title(level: LevelResult) -> str:
+    return f"Level {level.level}. {level.title}: {level.result}"
+
+
 def _table(level: LevelResult) -> Table:
     """Returns the table of a level; only its title if the level has no rows."""
-    title = f"Level {level.level}. {level.title}: {level.result}"
     heading = level.heading if level.table else []
-    return Table("", title, heading, 1, [text_fields(row) for row in level.table])
+    return Table("", _title(level), heading, 1, [text_fields(row) for row in level.table])
 
 
 def as_json(verdict: Verdict) -> str:

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable
-from dataclasses import replace
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from gate import baseline, revisions
+import pytest
+from results.pairs import Pairs
+from results.reader import Cell
+
+from gate import baseline, levels, revisions
 from gate.program import Program
 from gate.verdict import Verdict
 
@@ -18,10 +23,12 @@ WORLD: dict[str, Any] = {
     "compiler": "GNU 12.2.0",
     "meshes": ["cube", "hill"],
     "solvers": {
-        "mmp": {"propagations": 10_000, "peak_bytes": 10_000_000, "cpu_ms": 50.0},
-        "ich": {"propagations": 20_000, "peak_bytes": 1_000_000, "cpu_ms": 30.0},
+        "mmp": {"propagations": 10_000, "peak_bytes": 10_000_000, "cpu_ms": 50.0,
+                "instructions": 1_000_000},
+        "ich": {"propagations": 20_000, "peak_bytes": 1_000_000, "cpu_ms": 30.0,
+                "instructions": 1_000_000},
     },
-}
+}  # fmt: skip
 
 
 Change = Callable[[dict[str, Any]], object]
@@ -34,6 +41,12 @@ def fact(solver: str, key: str, value: object) -> Change:
     return change
 
 
+def with_valgrind(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Level 2 counts on the mesh cube. The counts are the facts "instructions"."""
+    monkeypatch.setattr("shutil.which", lambda name: name)
+    monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
+
+
 def first(verdict: Verdict) -> str:
     return verdict.findings[0].text
 
@@ -42,12 +55,32 @@ def unchanged(_: dict[str, Any]) -> None:
     """Changes nothing."""
 
 
+@dataclass(frozen=True)
+class Simulated(Program):
+    """A fake program. `measured` counts what each level measured with it."""
+
+    measured: Counter[str]
+
+    def instructions(self, cell: Cell) -> int:
+        self.measured["instruction counts"] += 1
+        world = json.loads(self.path.with_name(f"{self.path.name}.json").read_text())
+        found = world["solvers"][cell.solver].get("instructions")
+        return int(found) if found else super().instructions(cell)
+
+    def measure_pairs(
+        self, base: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int, out: Path
+    ) -> dict[Cell, Pairs]:
+        self.measured["timed processes"] += 2 * pairs * len(cells)
+        return super().measure_pairs(base, chosen, cells, pairs, out)
+
+
 class World:
     """gate(head=change, ...) compares a changed head with a base. Other keywords are revisions.Options."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.options = revisions.Options(out=folder / "out", levels=(0, 1, 3))
+        self.measured: Counter[str] = Counter()
         self.keep_baseline()
 
     def program(self, name: str, change: Change = unchanged) -> Program:
@@ -57,7 +90,8 @@ class World:
         shutil.copy(FAKE, path)
         path.chmod(0o755)
         path.with_name(f"{path.name}.json").write_text(json.dumps(world))
-        return Program(name, name, path, self.folder, self.folder / "manifest.json")
+        manifest = self.folder / "manifest.json"
+        return Simulated(name, name, path, self.folder, manifest, self.measured)
 
     def keep_baseline(self, change: Change = unchanged) -> None:
         program = self.program("baseline", change)

@@ -180,6 +180,7 @@ def test_margin_below_the_measured_noise_is_refused(repository: Repository) -> N
         (["--a-a", "0"], "at least one session"),
         (["main", "--reason", "why"], "--reason is for --update-baseline"),
         (["main", "--update-baseline", "--reason", "why"], "takes the working tree and the whole suite"),
+        (["--a-a", "2", "--all"], "--all is for a comparison with a base"),
         (["--a-a", "2", "a", "b"], "--a-a takes one revision"),
         (["a", "b", "c"], "unrecognized arguments: c"),
     ],

@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from gate_world import WORLD, World, fact, first
+from gate_world import WORLD, World, fact, first, with_valgrind
 
 from gate import levels
 from gate.findings import ERROR, GOOD, REGRESSION, WRONG_ANSWER, GateError, Weight
-from gate.program import Program
 from gate.verdict import as_json, as_markdown, as_text
 
 
@@ -34,13 +33,49 @@ def test_wrong_answer_is_shown_first_and_exits_2(world: World) -> None:
     assert verdict.levels[0].table[1] == ["ich", "0 of 2", "-", "WRONG ANSWER on 2"]
 
 
-def test_after_a_wrong_answer_nothing_is_timed(
-    world: World, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("key", "value", "code", "failed"),
+    [
+        ("outcome", "wrong answer", WRONG_ANSWER, 0),
+        ("propagations", 10_500, REGRESSION, 1),
+        ("instructions", 1_050_000, REGRESSION, 2),
+        ("peak_bytes", 11_000_000, REGRESSION, 3),
+    ],
+)
+def test_when_a_level_has_failed_the_later_ones_are_measured_only_if_all_are_asked_for(
+    world: World, monkeypatch: pytest.MonkeyPatch, key: str, value: object, code: int, failed: int
 ) -> None:
-    monkeypatch.setattr(Program, "measure_pairs", None)
-    verdict = world.gate(fact("ich", "outcome", "wrong answer"), levels=(0, 4))
-    assert verdict.exit_code == WRONG_ANSWER
-    assert verdict.levels[1].skipped == "there is a wrong answer: nothing is timed"
+    with_valgrind(monkeypatch)
+    verdict = world.gate(fact("mmp", key, value), levels=(0, 1, 2, 3, 4))
+    assert verdict.exit_code == code and [one.level for one in verdict.levels] == [0, 1, 2, 3, 4]
+    skipped = f"skipped: level {failed} has failed, so that the verdict is certain"
+    left = [4] if failed == 2 else [2, 4]
+    assert [one.level for one in verdict.levels if one.result.startswith(skipped)] == left
+    assert f"Level 4. CPU time, interleaved pairs: {skipped}" in as_text(verdict)
+    assert world.measured == ({"instruction counts": 4} if failed == 2 else {})
+
+    verdict = world.gate(fact("mmp", key, value), levels=(0, 1, 2, 3, 4), everything=True)
+    assert verdict.exit_code == code and not any(one.skipped for one in verdict.levels)
+    assert world.measured["timed processes"] == (60 if failed == 0 else 120)
+
+
+def test_the_lines_of_a_level_appear_before_the_next_level_is_measured(
+    world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with_valgrind(monkeypatch)
+    world.gate(fact("mmp", "instructions", 1_010_000), levels=(0, 1, 2, 3, 4))
+    said = [line.partition(":")[0] for line in capsys.readouterr().err.splitlines()]
+    assert said == [
+        "levels 0, 1 and 3",
+        "Level 0. Distances against the oracles",
+        "Level 1. The algorithms' counters against the committed baseline",
+        "Level 3. Solver's peak memory",
+        "level 2",
+        "Level 2. Instructions inside solve, counted by callgrind",
+        "  level 2 warning",
+        "level 4",
+        "Level 4. CPU time, interleaved pairs, margin 1.1",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -83,29 +118,21 @@ def test_counters_fail_above_one_percent_and_memory_above_two_percent_and_64_kib
     assert all(change in finding.text for finding in verdict.findings)
 
 
-def counts(monkeypatch: pytest.MonkeyPatch, head: int) -> None:
-    """Replaces the counts of Callgrind. The base has 1,000,000 instructions."""
-    monkeypatch.setattr("shutil.which", lambda name: name)
-    monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
-    of = {"base": 1_000_000, "head": head}
-    monkeypatch.setattr(Program, "instructions", lambda self, cell: of[self.name])
-
-
 @pytest.mark.parametrize(
     ("count", "code", "weights"),
     [
         (1_004_999, GOOD, []),
-        (1_005_001, GOOD, [Weight.WARNING] * 2),
-        (1_019_999, GOOD, [Weight.WARNING] * 2),
-        (1_020_001, REGRESSION, [Weight.FAILURE] * 2),
+        (1_005_001, GOOD, [Weight.WARNING]),
+        (1_019_999, GOOD, [Weight.WARNING]),
+        (1_020_001, REGRESSION, [Weight.FAILURE]),
         (900_000, GOOD, []),
     ],
 )
 def test_instructions_warn_above_half_a_percent_and_fail_above_two(
     world: World, monkeypatch: pytest.MonkeyPatch, count: int, code: int, weights: list[Weight]
 ) -> None:
-    counts(monkeypatch, count)
-    verdict = world.gate(levels=(0, 2))
+    with_valgrind(monkeypatch)
+    verdict = world.gate(fact("mmp", "instructions", count), levels=(0, 2))
     assert verdict.exit_code == code
     assert [finding.weight for finding in verdict.findings] == weights
 
@@ -113,8 +140,9 @@ def test_instructions_warn_above_half_a_percent_and_fail_above_two(
 def test_instructions_of_another_compiler_are_not_comparable(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    counts(monkeypatch, 9_000_000)
+    with_valgrind(monkeypatch)
     verdict = world.gate(lambda head: head.update(compiler="Clang 14"), levels=(0, 2))
+    assert world.measured == {}
     assert verdict.exit_code == GOOD
     assert verdict.levels[1].skipped.startswith("not comparable: GNU 12.2.0 built the base")
 
@@ -137,7 +165,8 @@ def test_level_2_is_skipped_where_valgrind_cannot_run_the_program(
     tool.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
-    assert world.gate(levels=(0, 2)).levels[1].skipped.startswith("valgrind lacks an instruction")
+    without = fact("mmp", "instructions", None)
+    assert world.gate(without, without, levels=(0, 2)).levels[1].skipped.startswith("valgrind lacks an instruction")
 
 
 def test_renamed_solver_is_an_error_that_says_so(world: World) -> None:

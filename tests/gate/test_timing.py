@@ -160,6 +160,25 @@ def test_time_fails_only_above_the_margin(world: World) -> None:
     assert [path.name for path in sorted(world.options.out.glob("time-*"))] == ["time-1", "time-2"]
 
 
+def test_when_a_row_has_failed_rows_that_are_not_decided_are_measured_only_if_all_are_asked_for(
+    world: World,
+) -> None:
+    def change(head: dict[str, Any]) -> None:
+        fact("mmp", "cpu_ms", 60.0)(head)
+        fact("ich", "cpu_ms", [25.0, 45.0, 30.0])(head)
+
+    verdict = world.gate(change, levels=(4,))
+    assert verdict.exit_code == REGRESSION and world.measured == {"timed processes": 8 * 30}
+    [text, _] = [f.text for f in verdict.findings if f.weight == Weight.NOT_RESOLVED]
+    assert text.endswith("30 pairs: not measured further, since the verdict is certain (--all measures on)")
+
+    machine = timing.Timing(1.1, {}, everything=True)
+    machine.add({A: made(1.5, 0.01, 1), B: made(1.0, 0.3, 2)})
+    machine.add({A: made(1.5, 0.01, 3)})
+    assert machine.decision(A) == Decision.SLOWER and B in machine.suspects()
+    assert not machine.certain and replace(machine, everything=False).certain
+
+
 def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
     def noisy(one: dict[str, Any]) -> None:
         one["switches"] = 900.0
