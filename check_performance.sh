@@ -31,7 +31,8 @@ Options:
   --budget SECONDS     of level 4 for rows that the first pairs do not decide (default: 300)
   --a-a N              no base: one build against itself, N sessions, for this machine's noise;
                        later margins below it are refused
-  --all                measure on when a failure makes the verdict certain
+  --all                measure on when a failure makes the verdict certain, and time solvers too
+                       whose code, counters and instructions are those of the base
   --strict             exit with 4 when a row is not resolved
   --out DIR            for verdict.md, verdict.json, logs and runs (default: build/gate/<time>)
   --update-baseline    rewrite the counters' baseline from the working tree

@@ -55,6 +55,8 @@ class LevelResult:
     heading: list[str] = field(default_factory=list)
     table: list[list[str]] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
+    same: list[str] = field(default_factory=list)
+    """Level 2: the solvers none of whose counts differ by more than the noise."""
 
     @property
     def result(self) -> str:

@@ -19,6 +19,7 @@ from gate.progress import about, say
 INSTRUCTIONS = "Instructions inside solve, counted by callgrind"
 INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
+"""Also the noise of a count."""
 MEMORY_FAIL = 0.02
 CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
 """The smallest meshes of the suite, because a program runs 50 times slower under callgrind."""
@@ -122,6 +123,11 @@ def instructions(
         result.skipped = str(error)
         return result
     result.heading = ["row", "base", "head", "change"]
+    differ = {
+        cell.solver for cell, old, new in counts
+        if Number(old, new).above(INSTRUCTIONS_WARN) or Number(new, old).above(INSTRUCTIONS_WARN)
+    }  # fmt: skip
+    result.same = [name for name in dict.fromkeys(c.solver for c in cells) if name not in differ]
     for cell, old, new in counts:
         number = Number(old, new)
         result.compared += 1

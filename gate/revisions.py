@@ -14,8 +14,8 @@ from results.names import unknown_name
 from results.pairs import Pairs
 from results.reader import Cell
 
-from gate import baseline, levels, timing
-from gate.findings import GateError, LevelResult
+from gate import baseline, code, levels, timing
+from gate.findings import GateError, LevelResult, Weight
 from gate.program import Program, Verified
 from gate.progress import say
 from gate.verdict import Verdict, judge, of_level
@@ -41,14 +41,15 @@ class Options:
     """Names of meshes of the manifest to use instead of the suite; empty for the suite."""
     strict: bool = False
     everything: bool = False
-    """Measures on when the verdict is certain."""
+    """Measures on when the verdict is certain, and times solvers that did not change."""
     noise_file: Path | None = None
     """File in which --a-a stores the measured noise."""
 
 
-def compare(base: Program, head: Program, baseline_tree: Path, options: Options) -> Verdict:
+def compare(base: Program, head: Program, tree: Path, options: Options) -> Verdict:
     """Runs the levels, those that need no further process first, until the verdict is certain.
 
+    @param tree the head's files: the baseline of counters, and the sources of the solvers
     @raises GateError when the programs cannot be compared"""
     say("levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:  # both at once: nothing is timed here
@@ -72,26 +73,37 @@ def compare(base: Program, head: Program, baseline_tree: Path, options: Options)
 
     add(levels.answers(base_run, head_run))  # always
     if 1 in options.levels:
-        counters = baseline.read(baseline_tree)
+        counters = baseline.read(tree)
         add(baseline.compare(counters, head_run, options.solvers or None))
     if 3 in options.levels:
         add(levels.memory(base_run, head_run))
     processes = os.cpu_count() or 1
     measure(2, levels.INSTRUCTIONS,
             lambda: levels.instructions(base, head, base_run, head_run, processes))  # fmt: skip
-    measure(4, timing.TITLE, lambda: _time(base, head, base_run, head_run, results, options))
+    measure(4, timing.TITLE, lambda: _time(base, head, tree, base_run, head_run, results, options))
     return judge(base.label, head.label, results, options.strict)
 
 
 def _time(
-    base: Program, head: Program, base_run: Verified, head_run: Verified,
+    base: Program, head: Program, tree: Path, base_run: Verified, head_run: Verified,
     earlier: Sequence[LevelResult], options: Options,
 ) -> LevelResult:
-    cells = timing.timed_cells([before for before, _ in levels.common(base_run, head_run)])
-    if options.noise_file is not None:
-        timing.check_margin(options.noise_file, _processor(head_run), cells, options.margin)
+    rows = levels.common(base_run, head_run)
+    cells = timing.timed_cells([before for before, _ in rows])
     if not cells:
         return LevelResult(4, timing.TITLE, skipped="base and head have no row in common")
+    counted = {name for level in earlier for name in level.same}
+    counted -= {after.cell.solver for before, after in rows if before.counters() != after.counters()}
+    if options.everything:
+        counted = set()
+    same = code.unchanged(base.path.parent, head.path.parent, tree, counted)
+    left = ", ".join(dict.fromkeys(cell.solver for cell in cells if cell.solver in same))
+    why = f"{left}: not timed: nothing changed (machine code, counters, instructions)"
+    cells = [cell for cell in cells if cell.solver not in same]
+    if not cells:
+        return LevelResult(4, timing.TITLE, skipped=why)
+    if options.noise_file is not None:
+        timing.check_margin(options.noise_file, _processor(head_run), cells, options.margin)
     grown = {
         cell.solver: level.level
         for level in sorted(earlier, key=lambda one: -one.level) if level.level in (1, 2)
@@ -99,7 +111,10 @@ def _time(
     }  # fmt: skip
     timed = timing.Timing(options.margin, grown, options.everything)
     timing.measure(timed, cells, sessions(base, head, options), options.budget, say)
-    return timing.report(timed, options.budget)
+    result = timing.report(timed, options.budget)
+    if left:
+        result.add(Weight.NOTE, why)
+    return result
 
 
 def sessions(base: Program, head: Program, options: Options) -> timing.Session:

@@ -28,6 +28,7 @@ WORLD: dict[str, Any] = {
         "ich": {"propagations": 20_000, "peak_bytes": 1_000_000, "cpu_ms": 30.0,
                 "instructions": 1_000_000},
     },
+    "objects": {"CMakeFiles": "core", "mmp": "mmp", "chen_han": "ich"},
 }  # fmt: skip
 
 
@@ -81,17 +82,36 @@ class World:
         self.folder = folder
         self.options = revisions.Options(out=folder / "out", levels=(0, 1, 3))
         self.measured: Counter[str] = Counter()
+        self.write_sources()
         self.keep_baseline()
 
     def program(self, name: str, change: Change = unchanged) -> Program:
         world = json.loads(json.dumps(WORLD))
         change(world)
-        path = self.folder / f"{name}-bench"
+        path = self.folder / name / "geodesic-bench"
+        path.parent.mkdir(exist_ok=True)
+        self.write_objects(path.parent, world["objects"])
         shutil.copy(FAKE, path)
         path.chmod(0o755)
         path.with_name(f"{path.name}.json").write_text(json.dumps(world))
         manifest = self.folder / "manifest.json"
         return Simulated(name, name, path, self.folder, manifest, self.measured)
+
+    def write_objects(self, build: Path, objects: dict[str, str]) -> None:
+        """Writes one object for each folder of solvers, and one that the build does not list."""
+        names = {folder: f"solvers/{folder}/solver.cpp.o" for folder in objects}
+        for folder, name in names.items():
+            (build / name).parent.mkdir(parents=True, exist_ok=True)
+            (build / name).write_text(objects[folder])
+        (build / "solvers" / "mmp" / "of-a-file-that-is-gone.cpp.o").write_text(str(build))
+        commands = [{"command": f"c++ -o {name} -c solver.cpp"} for name in names.values()]
+        (build / "compile_commands.json").write_text(json.dumps(commands))
+
+    def write_sources(self) -> None:
+        for folder, solver in {"mmp": "mmp", "chen_han": "ich"}.items():
+            file = self.folder / "solvers" / folder / "solver.cpp"
+            file.parent.mkdir(parents=True)
+            file.write_text(f'const RegisterSolver<S> s{{{{\n    .name = "{solver}",\n}}}};\n')
 
     def keep_baseline(self, change: Change = unchanged) -> None:
         program = self.program("baseline", change)

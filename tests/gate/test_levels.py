@@ -75,6 +75,7 @@ def test_the_lines_of_a_level_appear_before_the_next_level_is_measured(
         "  level 2 warning",
         "level 4",
         "Level 4. CPU time, interleaved pairs, margin 1.1",
+        "  level 4 note",
     ]  # fmt: skip
 
 

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gate_world import World, fact, first
+from gate_world import Change, World, fact, first, unchanged, with_valgrind
 from results.columns import Columns
 from results.pairs import Pairs, interleaved
 from results.reader import Cell, Row
 from results.statistics import Decision
 
+from gate import code as gate_code
 from gate import revisions, timing
 from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
 from gate.measured import Measured
@@ -190,6 +191,79 @@ def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
     verdict = world.gate(noisy_and_slow, noisy, levels=(4,), budget=0.0)
     assert verdict.word == "NOT RESOLVED" and verdict.exit_code == GOOD
     assert "15 pairs, 15 disturbed" in first(verdict)
+
+
+def code(folder: str, machine_code: str = "another") -> Change:
+    return lambda world: world["objects"].update({folder: machine_code})
+
+
+ROWS = 2 * 2 * PAIRS
+"""Number of processes of a session of one solver, on two meshes."""
+
+
+@pytest.mark.parametrize(
+    ("change", "timed"),
+    [
+        (unchanged, 0),
+        (code("mmp"), ROWS),
+        (fact("mmp", "instructions", 1_004_999), 0),
+        (fact("mmp", "instructions", 1_010_000), ROWS),
+        (fact("mmp", "instructions", 900_000), ROWS),
+        (fact("mmp", "propagations", 10_010), ROWS),
+        (fact("mmp", "propagations", 9_000), ROWS),
+        (code("CMakeFiles"), 2 * ROWS),
+        (code("chen_han"), ROWS),
+        (code("variants"), 0),
+    ],
+    ids=["nothing", "code", "noise of counts", "instructions", "fewer instructions", "counters",
+         "lower counters", "shared code", "another solver", "a variant"],
+)  # fmt: skip
+def test_only_solvers_whose_code_counters_or_instructions_changed_are_timed(
+    world: World, monkeypatch: pytest.MonkeyPatch, change: Change, timed: int
+) -> None:
+    with_valgrind(monkeypatch)
+    verdict = world.gate(change, levels=(0, 1, 2, 3, 4))
+    assert verdict.exit_code == GOOD and world.measured["timed processes"] == timed
+    assert verdict.levels[4].compared == timed // (2 * PAIRS)
+    assert ("not timed: nothing changed" in as_text(verdict)) == (timed < 2 * ROWS)
+    assert not any(finding.weight == Weight.NOT_RESOLVED for finding in verdict.findings)
+
+
+def test_solvers_that_did_not_change_are_timed_if_all_are_asked_for_or_their_instructions_are_unknown(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    world.gate(levels=(0, 1, 3, 4))
+    assert world.measured == {"timed processes": 2 * ROWS}
+    with_valgrind(monkeypatch)
+    world.gate(levels=(0, 1, 2, 3, 4), everything=True)
+    assert world.measured["timed processes"] == 4 * ROWS
+
+
+def test_15_percent_in_one_solver_time_that_solver_only(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two sessions confirm it. The rows of the other solver are too noisy for any decision."""
+    with_valgrind(monkeypatch)
+    noisy = fact("ich", "cpu_ms", [20.0, 50.0, 25.0, 60.0, 20.0])
+
+    def slower(head: dict[str, Any]) -> None:
+        noisy(head)
+        fact("mmp", "cpu_ms", 57.5)(head)
+        code("mmp")(head)
+
+    verdict = world.gate(slower, noisy, levels=(0, 1, 2, 3, 4))
+    assert verdict.exit_code == REGRESSION and first(verdict).startswith("mmp: 1.150 times as long")
+    assert world.measured["timed processes"] == 2 * ROWS
+
+
+def test_a_solver_that_no_family_registers_is_unchanged_only_if_all_code_is(world: World) -> None:
+    head = world.program("head", code("chen_han")).path.parent
+    base, same = world.program("base").path.parent, world.program("same").path.parent
+    solvers = {"mmp?threads=2", "ich", "steiner"}
+    assert gate_code.unchanged(base, same, world.folder, solvers) == solvers
+    assert gate_code.unchanged(base, head, world.folder, solvers) == {"mmp?threads=2"}
+    (same / "compile_commands.json").unlink()
+    assert gate_code.unchanged(same, same, world.folder, solvers) == set()
 
 
 def test_a_program_that_fails_when_it_is_timed_is_an_error(
