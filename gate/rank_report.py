@@ -70,10 +70,12 @@ def verdict(ranking: Ranking) -> str:
 
 def _explanation(ranking: Ranking) -> str:
     name = ranking.candidate
+    ranks = " A rank begins where the pairs resolve every solver above as faster than every one below."
     return (
         f"Ratios are the solver's numbers over those of {name}: above 1 the solver takes more."
         " Times are CPU times of a solve in interleaved pairs; ~ marks a difference from"
-        f" {name} that they do not resolve. Solvers of different ranks are resolved from each other."
+        f" {name} that they do not resolve."
+        + (ranks if any(one.rank is not None for one in ranking.standings) else "")
     )
 
 

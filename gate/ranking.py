@@ -199,21 +199,26 @@ def _order(standing: Standing, candidate: str) -> float:
 
 
 def _give_ranks(ranking: Ranking) -> None:
-    """Assigns the ranks. A rank begins where the pairs resolve each solver before from each behind it.
-    Too few pairs for an interval give no ranks."""
+    """Assigns the ranks. A rank begins where the pairs resolve each solver before as faster than each
+    behind it. Solvers without a common mesh are not resolved. Too few pairs for an interval give no ranks."""
     placed = [one for one in ranking.standings if _order(one, ranking.candidate) < math.inf]
     if not any(one.time is not None and one.time.has_interval for one in placed):
         return
     tied = [
         (first, second)
         for first, second in itertools.combinations(range(len(placed)), 2)
-        if (mean := ranking.measurements.mean(placed[first].solver, placed[second].solver))
-        and not mean.resolved
+        if not _faster(ranking.measurements.mean(placed[first].solver, placed[second].solver))
     ]
     for place, standing in enumerate(placed):
         if not any(first < place <= second for first, second in tied):
             rank = place + 1
         standing.rank = rank
+
+
+def _faster(mean: Ratio | None) -> bool:
+    """Whether the pairs resolve the first solver of the mean as faster. The order of means over different
+    meshes can be another one than that of two solvers on the meshes that both solved."""
+    return mean is not None and mean.resolved and mean.estimate.low > 1
 
 
 def _failures(ranking: Ranking) -> list[str]:

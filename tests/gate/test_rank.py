@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import runs
 from results.reader import Run
@@ -79,10 +80,39 @@ def test_a_rank_begins_only_where_all_before_are_resolved_from_all_behind() -> N
     ]  # fmt: skip
 
 
+def test_solvers_of_different_ranks_are_resolved_in_their_order_on_the_meshes_of_both() -> None:
+    """The mean of b is lower only because it lacks the mesh on which all others are slow."""
+    one = fail("b", "horse", "unsupported")
+    ranking, _ = of(of_solvers({"new": 1.0, "a": [9.0, 2.0, 2.0], "b": [1.0, 2.5, 2.5]}, change=one))
+    assert value(ranking, "b") < value(ranking, "a")
+    mean = ranking.measurements.mean("a", "b")
+    assert mean is not None and mean.resolved and mean.estimate.low > 1
+    assert [(one.solver, one.rank) for one in ranking.standings] == [("new", 1), ("b", 2), ("a", 2)]
+
+
+def test_solvers_without_a_common_mesh_share_a_rank() -> None:
+    def change(rows: list[Data]) -> None:
+        for solver, mesh in (("a", "horse"), ("b", "rocker-arm"), ("b", "flat-grid")):
+            fail(solver, mesh, "unsupported")(rows)
+
+    ranking, _ = of(of_solvers({"new": 1.0, "a": 2.0, "b": 3.0}, change=change))
+    assert ranking.measurements.mean("a", "b") is None
+    assert [one.rank for one in ranking.standings] == [1, 2, 2]
+
+
+@pytest.mark.parametrize("candidate", ["new", "a", "b", "c"])
+def test_a_solver_that_is_not_resolved_from_the_candidate_has_its_rank(candidate: str) -> None:
+    for seed in range(8):
+        near = np.random.default_rng(seed).normal(1, 0.01, (4, 3)).tolist()
+        ranking, _ = of(of_solvers(dict(zip(("new", "a", "b", "c"), near, strict=True)), 0.02, 9), candidate)
+        ranks = [one.rank for one in ranking.standings if one.time is None or not one.time.resolved]
+        assert len(set(ranks)) == 1
+
+
 def test_too_few_pairs_have_neither_intervals_nor_ranks() -> None:
     ranking, made = of(of_solvers({"new": 1.0, "a": 2.0}, pairs=1))
     text = as_markdown(ranking, made)
-    assert "| a | - | ~ 2.0" in text and "fewer than 6 pairs resolve nothing" in text
+    assert "| a | - | ~ 2.0" in text and "A rank begins" not in text and "fewer than 6 pairs resolve nothing" in text
     assert " to " not in text.split("## horse")[1].split("\n\n")[1]
     assert json.loads(as_json(ranking))["standings"][1]["time"]["low"] is None
 
