@@ -93,8 +93,8 @@ def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, 
         if before == after:
             continue
         if before is None or after is None:
-            text = f"{cell}: {name} {before} to {after}: only one of the two has this counter"
-            result.fail(text, ERROR)
+            text = f"{cell}: {name} {before} to {after}"
+            result.fail(text, ERROR, remark="only one of the two has this counter")
             continue
         number = Number(before, after)
         result.table.append([str(cell), name, str(before), str(after), number.change])
@@ -102,7 +102,7 @@ def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, 
         if after > before:
             result.judge_growth(text, number, cell.solver, GROWTH_FAIL, warn=0)
         else:
-            result.add(Weight.NOTE, f"{text}; --update-baseline keeps the gain")
+            result.add(Weight.NOTE, text, remark="--update-baseline keeps the gain")
 
 
 def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:
@@ -110,17 +110,11 @@ def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:
     gone = [cell for cell in cells if cell not in run.cells]  # level 0 reports the cells that failed
     meshes_left = {cell.mesh for cell in run.cells}
     for solver in sorted({cell.solver for cell in gone if cell.mesh in meshes_left}):
-        result.fail(
-            f"{solver}: in the baseline and not in the head: removed, or renamed? If meant,"
-            " --update-baseline",
-            ERROR,
-        )
+        why = "in the baseline and not in the head: removed, or renamed? If meant, --update-baseline"
+        result.fail(solver, ERROR, remark=why)
     for mesh in sorted({cell.mesh for cell in gone} - meshes_left):
-        result.fail(
-            f"{mesh}: in the baseline and no mesh of the suite any more. If meant,"
-            " --update-baseline",
-            ERROR,
-        )
+        why = "in the baseline and no mesh of the suite any more. If meant, --update-baseline"
+        result.fail(mesh, ERROR, remark=why)
 
 
 def update(tree: Path, run: Verified, reason: str) -> list[str]:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
 from enum import IntEnum
+from typing import TypeVar
 
 from gate.measured import Number
 
@@ -16,6 +18,9 @@ WRONG_ANSWER = 2
 REGRESSION = 3
 NOT_RESOLVED = 4
 """Returned only with --strict."""
+
+
+What = TypeVar("What", bound=Hashable)
 
 
 class GateError(Exception):
@@ -42,6 +47,22 @@ class Finding:
     exit_code: int = 0
     """Exit code of a failure; 0 for other findings."""
     solver: str | None = None
+    remark: str = ""
+    """The end of the line if it can be the same for other rows. It is then printed once."""
+
+    @property
+    def line(self) -> str:
+        return f"{self.text}: {self.remark}" if self.remark else self.text
+
+
+def alike(said: Iterable[tuple[str, What]]) -> dict[What, list[str]]:
+    """Returns the rows by what is said of them, in the order of what was said first.
+
+    @param said pairs of a row and what is said of it"""
+    rows: dict[What, list[str]] = {}
+    for row, what in said:
+        rows.setdefault(what, []).append(row)
+    return rows
 
 
 @dataclass
@@ -63,12 +84,15 @@ class LevelResult:
         return f"skipped: {self.skipped}" if self.skipped else f"{self.compared} rows compared"
 
     def add(
-        self, weight: Weight, text: str, exit_code: int = 0, solver: str | None = None
+        self, weight: Weight, text: str, exit_code: int = 0, solver: str | None = None,
+        remark: str = "",
     ) -> None:
-        self.findings.append(Finding(self.level, weight, text, exit_code, solver))
+        self.findings.append(Finding(self.level, weight, text, exit_code, solver, remark))
 
-    def fail(self, text: str, exit_code: int, solver: str | None = None) -> None:
-        self.add(Weight.FAILURE, text, exit_code, solver)
+    def fail(
+        self, text: str, exit_code: int, solver: str | None = None, remark: str = ""
+    ) -> None:
+        self.add(Weight.FAILURE, text, exit_code, solver, remark)
 
     def judge_growth(
         self, text: str, number: Number, solver: str, fail: float,

@@ -45,17 +45,17 @@ def _judge_answer(result: LevelResult, after: Measured, before: Measured | None)
     if after.failure is None:
         result.compared += 1
         return
-    outcome, text = after.failure.outcome, f"{after.cell}: {after.state}"
+    outcome, text, state = after.failure.outcome, str(after.cell), after.state
     if outcome == WRONG:
-        result.fail(text, WRONG_ANSWER)
+        result.fail(text, WRONG_ANSWER, remark=state)
     elif before is not None and not before.ok:
         if outcome != UNSUPPORTED:
-            result.add(Weight.WARNING, f"{text} (as in the base)")
+            result.add(Weight.WARNING, text, remark=f"{state} (as in the base)")
     elif before is not None:
         code = REGRESSION if outcome == UNSUPPORTED else WRONG_ANSWER
-        result.fail(f"{text} (the base solves it)", code)
+        result.fail(text, code, remark=f"{state} (the base solves it)")
     elif outcome != UNSUPPORTED:  # a new solver or mesh
-        result.fail(text, WRONG_ANSWER)
+        result.fail(text, WRONG_ANSWER, remark=state)
 
 
 def _answer_line(solver: str, rows: list[Measured]) -> list[str]:
@@ -70,7 +70,7 @@ def _answer_line(solver: str, rows: list[Measured]) -> list[str]:
 def _only_in(result: LevelResult, side: str, cells: Iterable[Cell]) -> None:
     for solver in sorted({cell.solver for cell in cells}):
         meaning = "new, nothing to compare with" if side == "head" else "removed or renamed"
-        result.add(Weight.NOTE, f"{solver}: only in the {side}: {meaning}")
+        result.add(Weight.NOTE, solver, remark=f"only in the {side}: {meaning}")
 
 
 def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:

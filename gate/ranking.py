@@ -22,7 +22,7 @@ from results.statistics import (
     median_interval,
 )
 
-from gate.findings import GateError
+from gate.findings import GateError, alike
 from gate.measured import MEMORY, WRONG, Measured, measured
 
 WINDOWS = "window_propagations"
@@ -222,21 +222,25 @@ def _faster(mean: Ratio | None) -> bool:
 
 
 def _failures(ranking: Ranking) -> list[str]:
-    return [
-        f"{standing.solver} has no time on {mesh}: {row.outcome}: {row.message}"
+    reasons = alike(
+        (mesh, (standing.solver, f"{row.outcome}: {row.message}"))
         for mesh in ranking.measurements.meshes
         for standing in ranking.standings
         if (row := ranking.measurements.failure(standing.solver, mesh)) is not None
-    ]
+    )
+    said = alike((solver, (", ".join(meshes), why)) for (solver, why), meshes in reasons.items())
+    return [f"without a time: {', '.join(names)} on {meshes}: {why}"
+            for (meshes, why), names in said.items()]  # fmt: skip
 
 
 def _about_means(ranking: Ranking, run: Run) -> list[str]:
     count, lines = len(ranking.measurements.meshes), []
     timed = [one for one in ranking.standings if one.time is not None]
-    for one in timed:
-        if len(one.meshes) < count:
+    places = alike((one.solver, tuple(on.mesh for on in one.meshes)) for one in timed)
+    for meshes, solvers in places.items():
+        if len(meshes) < count:
             lines.append(
-                f"the means of {one.solver} are over {len(one.meshes)} of {count} meshes: compare"
+                f"the means of {', '.join(solvers)} are over {len(meshes)} of {count} meshes: compare"
                 " them only with means over the same meshes"
             )
     if any(one.time is not None and not one.time.has_interval for one in timed):
@@ -253,4 +257,5 @@ def _about_means(ranking: Ranking, run: Run) -> list[str]:
         )
     if count == 1:
         lines.append("one mesh does not show how the solvers compare on others")
-    return lines + [f"skipped {skip.mesh}: {skip.why}" for skip in run.not_measured]
+    skipped = alike((skip.mesh, skip.why) for skip in run.not_measured)
+    return lines + [f"skipped {', '.join(meshes)}: {why}" for why, meshes in skipped.items()]

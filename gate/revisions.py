@@ -170,7 +170,7 @@ def update_baseline(program: Program, tree: Path, reason: str, options: Options)
     """Updates the baseline if all answers are right. @raises GateError when an answer is wrong"""
     run = verify(program, options)
     failures = levels.answers(Verified(), run).findings
-    wrong = [finding.text for finding in failures if finding.exit_code]
+    wrong = [finding.line for finding in failures if finding.exit_code]
     if wrong:
         raise GateError(f"the baseline stays as it is: {wrong[0]}")
     return baseline.update(tree, run, reason)

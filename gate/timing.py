@@ -200,7 +200,7 @@ def _report_row(
             else f"not decided against the margin in {seconds:g} s of further sessions: repeat"
             " with a larger --budget, or on a quieter machine"
         )  # fmt: skip
-        result.add(Weight.NOT_RESOLVED, f"{text}: {why}")
+        result.add(Weight.NOT_RESOLVED, text, remark=why)
     elif _noticeable(ratio, timing.margin) and not solver_failed:
         result.add(Weight.WITHIN_MARGIN, text, solver=cell.solver)
 
@@ -248,7 +248,7 @@ def against_itself(
             f"{slower} of {sessions}",
         ])  # fmt: skip
         if slower:
-            result.fail(f"{cell}: slower than itself", REGRESSION)
+            result.fail(str(cell), REGRESSION, remark="slower than itself")
     return result, {str(cell): max(map(noise, pairs)) for cell, pairs in measured.items()}
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from results.table import Table, markdown_page, text_fields, text_page
 
 from gate.findings import ERROR, GOOD, NOT_RESOLVED, REGRESSION, WRONG_ANSWER
-from gate.findings import Finding, GateError, LevelResult, Weight
+from gate.findings import Finding, GateError, LevelResult, Weight, alike
 
 WORST_FIRST = (WRONG_ANSWER, REGRESSION, ERROR)
 WORDS = {ERROR: "ERROR", WRONG_ANSWER: "WRONG ANSWER", REGRESSION: "REGRESSION"}
@@ -25,7 +25,8 @@ LABELS = {
 
 
 FIRST = 3
-"""Number of findings of one level and weight that are printed above the tables."""
+"""Number of findings of one level and weight that are printed above the tables, and of rows of one
+remark."""
 
 
 @dataclass(frozen=True)
@@ -86,14 +87,20 @@ def as_markdown(verdict: Verdict) -> str:
 
 
 def _lines(findings: Sequence[Finding]) -> list[str]:
-    """Returns the first findings of each level and weight. The tables have all of them."""
+    """Returns the first findings of each level and weight, with a remark about several rows once. The
+    tables have all rows."""
     lines = []
     for (level, weight), group in groupby(findings, key=lambda f: (f.level, f.weight)):
-        texts = [finding.text for finding in group]
-        if len(texts) > FIRST + 1:
-            texts[FIRST:] = [f"and {len(texts) - FIRST} more, in the table"]
-        lines += [f"level {level} {LABELS[weight]}: {text}" for text in texts]
+        texts = []
+        for remark, rows in alike((finding.text, finding.remark) for finding in group).items():
+            texts += [f"{'; '.join(_first(rows))}: {remark}"] if remark else rows
+        lines += [f"level {level} {LABELS[weight]}: {text}" for text in _first(texts)]
     return lines
+
+
+def _first(texts: list[str]) -> list[str]:
+    more = len(texts) - FIRST
+    return [*texts[:FIRST], f"and {more} more, in the table"] if more > 1 else texts
 
 
 def _title(level: LevelResult) -> str:

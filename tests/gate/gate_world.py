@@ -49,7 +49,7 @@ def with_valgrind(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def first(verdict: Verdict) -> str:
-    return verdict.findings[0].text
+    return verdict.findings[0].line
 
 
 def unchanged(_: dict[str, Any]) -> None:

@@ -10,8 +10,8 @@ import pytest
 from gate_world import WORLD, World, fact, first, with_valgrind
 
 from gate import levels
-from gate.findings import ERROR, GOOD, REGRESSION, WRONG_ANSWER, GateError, Weight
-from gate.verdict import as_json, as_markdown, as_text
+from gate.findings import ERROR, GOOD, REGRESSION, WRONG_ANSWER, GateError, LevelResult, Weight
+from gate.verdict import as_json, as_markdown, as_text, of_level
 
 
 def test_equal_revisions_are_good_at_every_level(world: World) -> None:
@@ -88,6 +88,24 @@ def test_no_answer_where_the_base_has_one_is_a_failure(
     verdict = world.gate(fact("mmp", "outcome", outcome))
     assert verdict.exit_code == code
     assert first(verdict).endswith(f"{outcome}: vertex 7 is off (the base solves it)")
+
+
+def test_what_is_said_of_several_rows_is_said_once_with_the_rows(world: World) -> None:
+    text = as_text(world.gate(fact("mmp", "outcome", "crashed")))
+    assert text.splitlines()[1:3] == [
+        "  level 0 FAILED: mmp/cube/src:0; mmp/hill/src:0: crashed: vertex 7 is off (the base solves it)",
+        "",
+    ]
+    many = LevelResult(1, "t", compared=9)
+    for row in "abcdefg":
+        many.add(Weight.NOTE, row, remark="less")
+    for row in "hi":
+        many.add(Weight.NOTE, row)
+    assert of_level(many)[1:] == [
+        "  level 1 note: a; b; c; and 4 more, in the table: less",
+        "  level 1 note: h",
+        "  level 1 note: i",
+    ]
 
 
 def test_no_answer_as_in_the_base_is_a_warning(world: World) -> None:
@@ -176,7 +194,7 @@ def test_renamed_solver_is_an_error_that_says_so(world: World) -> None:
 
     verdict = world.gate(rename)
     assert verdict.exit_code == ERROR
-    texts = [finding.text for finding in verdict.findings]
+    texts = [finding.line for finding in verdict.findings]
     assert texts[0].startswith("ich: in the baseline and not in the head: removed, or renamed?")
     assert any("better: only in the head: new" in text for text in texts)
     assert any("ich: only in the base: removed or renamed" in text for text in texts)

@@ -131,10 +131,23 @@ def test_a_solver_that_cannot_do_a_mesh_is_left_out_of_its_mean_and_a_remark_say
     ranking, made = of(data)
     assert value(ranking, "a") == pytest.approx(2, rel=0.02)
     assert standing(ranking, "a").right == 2
-    assert "a has no time on flat-grid: unsupported: vertex 7 is off" in ranking.remarks
+    assert "without a time: a on flat-grid: unsupported: vertex 7 is off" in ranking.remarks
     assert any(line.startswith("the means of a are over 2 of 3 meshes") for line in ranking.remarks)
     assert "| a | unsupported |" in as_markdown(ranking, made)
     assert "on 2 meshes, b" in verdict(ranking) or "on 2 meshes." in verdict(ranking)
+
+
+def test_remarks_that_are_alike_are_one_with_the_solvers_and_meshes() -> None:
+    def change(rows: list[Data]) -> None:
+        for mesh in ("horse", "flat-grid"):
+            fail("a", mesh, "unsupported")(rows)
+            fail("b", mesh, "unsupported")(rows)
+
+    ranking, _ = of(of_solvers({"new": 1.0, "a": 2.0, "b": 4.0}, change=change))
+    assert ranking.remarks == [
+        "without a time: a, b on horse, flat-grid: unsupported: vertex 7 is off",
+        "the means of a, b are over 1 of 3 meshes: compare them only with means over the same meshes",
+    ]
 
 
 def test_a_wrong_answer_has_no_time_and_comes_first() -> None:

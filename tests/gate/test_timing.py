@@ -170,7 +170,7 @@ def test_when_a_row_has_failed_rows_that_are_not_decided_are_measured_only_if_al
 
     verdict = world.gate(change, levels=(4,))
     assert verdict.exit_code == REGRESSION and world.measured == {"timed processes": 8 * 30}
-    [text, _] = [f.text for f in verdict.findings if f.weight == Weight.NOT_RESOLVED]
+    [text, _] = [f.line for f in verdict.findings if f.weight == Weight.NOT_RESOLVED]
     assert text.endswith("30 pairs: not measured further, since the verdict is certain (--all measures on)")
 
     machine = timing.Timing(1.1, {}, everything=True)
@@ -191,6 +191,8 @@ def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
     verdict = world.gate(noisy_and_slow, noisy, levels=(4,), budget=0.0)
     assert verdict.word == "NOT RESOLVED" and verdict.exit_code == GOOD
     assert "15 pairs, 15 disturbed" in first(verdict)
+    assert as_text(verdict).count("larger --budget") == 1, "one remark for both rows"
+    assert "15 disturbed; mmp/hill/src:0: 1.0" in as_text(verdict)
 
 
 def code(folder: str, machine_code: str = "another") -> Change:
@@ -296,4 +298,4 @@ def test_a_build_that_is_slower_than_itself_is_a_failure() -> None:
     machine = Machine({A: 1.3}, 0.02)
     result, _ = timing.against_itself([A], machine.session, 2, 1.1, lambda line: None)
     assert result.findings[0].weight == Weight.FAILURE
-    assert result.findings[0].text == "mmp/cube/src:0: slower than itself"
+    assert result.findings[0].line == "mmp/cube/src:0: slower than itself"
