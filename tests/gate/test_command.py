@@ -107,6 +107,16 @@ def test_good_and_worse_working_trees_against_a_base(repository: Repository) -> 
     assert json.loads((out / "verdict.json").read_text())["exit_code"] == REGRESSION
 
 
+def test_all_measures_on_after_a_failure(repository: Repository) -> None:
+    repository.set(peak_bytes=20_000_000)
+    ended = repository.check("main", "--levels=3,4")
+    assert ended.returncode == REGRESSION, ended.stderr
+    assert "Level 4. CPU time, interleaved pairs: skipped: level 3 has failed" in ended.stdout
+    ended = repository.check("main", "--levels=3,4", "--all")
+    assert ended.returncode == REGRESSION, ended.stderr
+    assert "Level 4. CPU time, interleaved pairs, margin 1.1: 4 rows compared" in ended.stdout
+
+
 def test_two_revisions_are_compared_whatever_the_working_tree_holds(repository: Repository) -> None:
     repository.set(peak_bytes=20_000_000)
     repository.commit()
