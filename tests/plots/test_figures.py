@@ -276,23 +276,6 @@ class TestEveryFigure:
         """The completed golden run. Tests must not change it."""
         return complete_run
 
-    def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:
-        long = "a-model-with-a-long-name-of-forty-letters"
-        suitable = renamed(suited(name, run), {})
-        first, second, *_ = suitable.meshes
-        run = renamed(suitable, {first: f"{long}-1", second: f"{long}-2"})
-        if name == "time_over_vertices":
-            run = renamed(run, {mesh: f"{long}-{i}" for i, mesh in enumerate(run.meshes)})
-        more = {
-            f"my-own-variant-{i}": replace(run.solvers["mmp"], name=f"my-own-variant-{i}")
-            for i in range(4)
-        }
-        copies = [
-            row | {"solver": name} for row in data_of(run) if row["solver"] == "mmp" for name in more
-        ]
-        grown = with_rows(run, [*data_of(run), *copies], solvers=run.solvers | more)
-        assert cut_texts(FIGURES[name](grown).figure) == []
-
     def test_without_its_numbers_it_is_refused_in_one_line(self, name: str, run: Run) -> None:
         def drop(row: Data) -> Data:
             kept = {k: v for k, v in row.items() if k not in NEEDS.get(name, [])}
@@ -309,15 +292,30 @@ class TestEveryFigure:
         with pytest.raises(ResultError):
             FIGURES[name](changed_rows(suited(name, run), fail))
 
-    def test_names_are_drawn_as_they_are_and_no_markup_is(self, name: str, run: Run) -> None:
-        odd = {mesh: f"a$b_{i}%{{c$d_" for i, mesh in enumerate(run.meshes)}
+    def test_long_names_with_markup_and_many_solvers_fit_and_are_drawn_as_they_are(
+        self, name: str, run: Run
+    ) -> None:
+        long = "-is-a-model-with-a-long-name"
+        ends = [long, long, ""]
+        odd = {mesh: f"a$b_{i}%{{c$d_{end}" for (i, end), mesh in zip(enumerate(ends), run.meshes, strict=True)}
         if name == "time_over_vertices":
-            odd = {mesh: f"a$b_%{{c$d_{i}" for i, mesh in enumerate(run.meshes)}
+            odd = {mesh: f"a$b_%{{c$d_{long}-{i}" for i, mesh in enumerate(run.meshes)}
         names = {"dijkstra": "my$own_%{v$", "fwp-ch": "f$w{", "ich": r"i\$c{"}
         if name in ("wavefront_ich", "wavefront_fwp_ch"):
             names = {}
         whole = run if name == "time_over_vertices" else suited(name, run)
-        drawn = drawn_texts(FIGURES[name](renamed(whole, odd, names)).figure)
+        run = renamed(whole, odd, names)
+        more = {
+            f"my-own-variant-{i}": replace(run.solvers["mmp"], name=f"my-own-variant-{i}")
+            for i in range(4)
+        }
+        copies = [
+            row | {"solver": name} for row in data_of(run) if row["solver"] == "mmp" for name in more
+        ]
+        grown = with_rows(run, [*data_of(run), *copies], solvers=run.solvers | more)
+        figure = FIGURES[name](grown).figure
+        assert cut_texts(figure) == []
+        drawn = drawn_texts(figure)
         assert len(drawn) >= 2
         for text in drawn:
             for known in sorted([*odd.values(), *names.values()], key=len, reverse=True):
