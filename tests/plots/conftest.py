@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plots import surface
+from plots import report, surface
 from results.published import THESIS_SOLVERS
 from results.reader import Run, read_run
 from view import three
@@ -40,6 +40,20 @@ def golden_tables() -> Path:
 @pytest.fixture
 def golden_folder() -> Path:
     return GOLDEN / "run"
+
+
+@pytest.fixture(scope="session")
+def reported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder of the golden run with its report. Some words of the run would be markup."""
+    folder = tmp_path_factory.mktemp("a run")
+    data = json.loads((GOLDEN / "run" / "run.json").read_text())
+    data["context"]["geodesic_bench"]["processor"] = "<script>alert(1)</script>"
+    for row in data["benchmarks"]:
+        if row["outcome"] != "ok":
+            row["error_message"] = "a < b & </table><img src=x>"
+    (folder / "run.json").write_text(json.dumps(data))
+    assert report.main([str(folder)]) == 0
+    return folder
 
 
 @pytest.fixture

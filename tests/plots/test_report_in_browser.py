@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-
-from plots import report
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from selenium.webdriver.common.by import By
@@ -18,11 +15,8 @@ from selenium.webdriver.common.keys import Keys
 
 
 @pytest.fixture(scope="module")
-def address(tmp_path_factory: pytest.TempPathFactory) -> str:
-    folder = tmp_path_factory.mktemp("a run")
-    shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
-    assert report.main([str(folder)]) == 0
-    return (folder / "report.html").as_uri()
+def address(reported: Path) -> str:
+    return (reported / "report.html").as_uri()
 
 
 def column(page: Any, table: str, index: int) -> list[str]:
