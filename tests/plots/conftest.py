@@ -1,4 +1,4 @@
-"""The golden run and copies of it that a test may change. Makes the helpers of this folder importable."""
+"""The golden run with all data that figures need, and with recordings. Makes the helpers of this folder importable."""
 
 from __future__ import annotations
 
@@ -29,17 +29,10 @@ PHASES = {"propagation": 0.45, "trimming": 0.2, "queue": 0.3, "timer_overhead": 
 SHAPES = {"rocker-arm": torus(108, 93), "flat-grid": plane(21, 21)}
 """Recorded meshes. Their numbers of vertices and faces are those of the golden run."""
 
-Change = Callable[[dict[str, Any]], object]
-
 
 @pytest.fixture
 def golden_tables() -> Path:
     return GOLDEN / "tables"
-
-
-@pytest.fixture
-def golden_folder() -> Path:
-    return GOLDEN / "run"
 
 
 @pytest.fixture(scope="session")
@@ -54,24 +47,6 @@ def reported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "run.json").write_text(json.dumps(data))
     assert report.main([str(folder)]) == 0
     return folder
-
-
-@pytest.fixture
-def golden_run(golden_folder: Path) -> Run:
-    return read_run(golden_folder)
-
-
-@pytest.fixture
-def changed(golden_folder: Path, tmp_path: Path) -> Callable[[Change], Path]:
-    """changed(f) calls f on a copy of the golden run and returns the folder of the copy."""
-
-    def make(change: Change) -> Path:
-        data = json.loads((golden_folder / "run.json").read_text())
-        change(data)
-        (tmp_path / "run.json").write_text(json.dumps(data))
-        return tmp_path
-
-    return make
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ import pytest
 from synthetic import Data, changed_rows, mean_edge_length, plane, record
 
 from plots.isolines import isoline, isolines, levels
-from plots.recordings import Recording, recordings
+from plots.recordings import CURVE, SNAPSHOT, Recording, recordings
 from results.reader import Mesh, ResultError, Run
 
 SIDE = 21
@@ -199,3 +200,28 @@ def test_of_two_meshes_for_one_model_the_better_one_is_shown(golden_run: Run) ->
     run = replace(golden_run, meshes=twins)
     run = with_recordings(run, {"horse": ["mmp"], "rocker-arm": ["mmp"]})
     assert [one.mesh.name for one in recordings(run)] == ["horse"]
+
+
+def test_recordings_of_a_real_run_are_as_the_readme_describes(real_run: Path) -> None:
+    rows = json.loads((real_run / "run.json").read_text())["benchmarks"]
+    folders = {real_run / row["recordings"] for row in rows if "recordings" in row}
+    assert len(folders) >= 5
+    for folder in folders:
+        vertices = np.load(folder.parent.parent / "vertices.npy")
+        faces = np.load(folder.parent.parent / "faces.npy")
+        distances = np.load(folder.parent / "distances.npy")
+        assert (vertices.dtype, faces.dtype, distances.dtype) == ("<f4", "<u4", "<f8")
+        assert vertices.shape == (64, 3) and faces.shape == (98, 3) and distances.shape == (64,)
+        if "dijkstra" in folder.as_posix():  # no windows: an inexact solver records its distances
+            assert not (folder / "curve.npy").exists()
+            continue
+        curve = np.load(folder / "curve.npy")
+        assert curve.dtype == CURVE and curve["reached"][-1] <= 64
+        sides = {frozenset(side) for f in faces for side in zip(f, np.roll(f, 1), strict=True)}
+        for moment in (25, 50, 75):
+            windows = np.load(folder / f"snapshot-{moment}.npy")
+            assert windows.dtype == SNAPSHOT
+            assert len(windows) == curve["windows"][curve["reached"] >= 0.64 * moment][0]
+            for origin, head in zip(windows["origin"], windows["head"], strict=True):
+                assert frozenset((origin, head)) in sides
+            assert (windows["begin"] >= 0).all() and (windows["end"] <= 1).all()

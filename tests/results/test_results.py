@@ -9,11 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
-import numpy as np
 import pytest
 
-from plots import catalogue
-from plots.recordings import CURVE, SNAPSHOT
 from results.reader import SCHEMA, Cell, ResultError, Run, newest_run, read_file, read_run
 
 Change = Callable[[dict[str, Any]], object]
@@ -170,53 +167,11 @@ def test_newest_run_is_the_last_by_time(tmp_path: Path, monkeypatch: pytest.Monk
     assert newest_run().name == "20260102T000000Z-b"
 
 
-@pytest.fixture(scope="session")
-def real_run(bench: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A run of the built program on one small generated mesh."""
-    folder = tmp_path_factory.mktemp("real run")
-    mesh = folder / "square.off"
-
-    def call(*arguments: str | Path) -> None:
-        subprocess.run([bench, *arguments], check=True, capture_output=True, timeout=300)
-
-    call("generate", "grid", "--columns", "7", "--rows", "7", "-o", mesh)
-    call(
-        "run", "--meshes", mesh, "--repetitions", "2", "--sources", "1", "--min-time", "0.001",
-        "--recordings", "all", "--out", folder / "run",
-    )  # fmt: skip
-    return folder / "run"
-
-
 def test_real_run_is_to_the_schema(real_run: Path) -> None:
     run = read_run(real_run)
     assert {row.mesh for row in run.rows} == set(run.meshes)
     assert {row.solver for row in run.rows} == set(run.solvers)
     assert [row.message for row in run.rows if row.outcome not in ("ok", "unsupported")] == []
-
-
-def test_recordings_of_a_real_run_are_as_the_readme_describes(real_run: Path) -> None:
-    rows = json.loads((real_run / "run.json").read_text())["benchmarks"]
-    folders = {real_run / row["recordings"] for row in rows if "recordings" in row}
-    assert len(folders) >= 5
-    for folder in folders:
-        vertices = np.load(folder.parent.parent / "vertices.npy")
-        faces = np.load(folder.parent.parent / "faces.npy")
-        distances = np.load(folder.parent / "distances.npy")
-        assert (vertices.dtype, faces.dtype, distances.dtype) == ("<f4", "<u4", "<f8")
-        assert vertices.shape == (64, 3) and faces.shape == (98, 3) and distances.shape == (64,)
-        if "dijkstra" in folder.as_posix():  # no windows: an inexact solver records its distances
-            assert not (folder / "curve.npy").exists()
-            continue
-        curve = np.load(folder / "curve.npy")
-        assert curve.dtype == CURVE and curve["reached"][-1] <= 64
-        sides = {frozenset(side) for f in faces for side in zip(f, np.roll(f, 1), strict=True)}
-        for moment in (25, 50, 75):
-            windows = np.load(folder / f"snapshot-{moment}.npy")
-            assert windows.dtype == SNAPSHOT
-            assert len(windows) == curve["windows"][curve["reached"] >= 0.64 * moment][0]
-            for origin, head in zip(windows["origin"], windows["head"], strict=True):
-                assert frozenset((origin, head)) in sides
-            assert (windows["begin"] >= 0).all() and (windows["end"] <= 1).all()
 
 
 def test_every_cell_of_a_real_run_has_a_file_to_the_schema(real_run: Path) -> None:
@@ -242,8 +197,6 @@ def test_an_interleaved_run_has_its_programs_and_their_rows_apart(changed: Chang
     assert run.interleaved and str(cell) == "mmp/horse/src:0"
     assert len(run.cells()[cell]) == 2 * len(run.cells("head")[cell]) == 4
     assert {row.program for row in run.cells("base")[cell]} == {"base"}
-    with pytest.raises(ResultError, match="several programs"):
-        catalogue.draw(run)
 
 
 def test_a_file_of_another_revision_is_read_without_the_schema(changed: Changed) -> None:
