@@ -76,7 +76,7 @@ def test_skipped_mesh_and_skipped_solver_are_told(golden_run: Run) -> None:
 
 def test_missing_folder_and_missing_file_are_named(tmp_path: Path) -> None:
     assert str(tmp_path / "nowhere") in error_of(tmp_path / "nowhere")
-    assert "run.json: no such file" in error_of(tmp_path)
+    assert "run.json: no such file; was the run interrupted?" in error_of(tmp_path)
 
 
 @pytest.mark.parametrize("length", [0, 1, 20000, None])
@@ -85,7 +85,7 @@ def test_truncated_file_and_bytes_that_are_no_text_are_no_json(
 ) -> None:
     whole = (golden_folder / "run.json").read_bytes()
     (tmp_path / "run.json").write_bytes(b"\xff{}" if length is None else whole[:length])
-    assert "run.json: not JSON" in error_of(tmp_path)
+    assert "run.json: not JSON, perhaps truncated" in error_of(tmp_path)
 
 
 def test_byte_order_mark_of_utf_8_is_no_part_of_the_text_and_utf_16_is_named(
@@ -97,6 +97,21 @@ def test_byte_order_mark_of_utf_8_is_no_part_of_the_text_and_utf_16_is_named(
     for encoding in ("utf-16-le", "utf-16-be"):
         file.write_text("\ufeff{}", encoding=encoding)
         assert error_of(tmp_path) == f"{file}: the text is UTF-16; save it as UTF-8"
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ('{"name": "geodesic"}', "'context' is a required property"),
+        ("[]", "[] is not of type 'object'"),
+        (100_000 * "[" + 100_000 * "]", "nested too deep for a result file"),
+    ],
+    ids=["another object", "a list", "nested 100,000 deep"],
+)
+def test_another_json_is_no_result_file(tmp_path: Path, text: str, says: str) -> None:
+    (tmp_path / "run.json").write_text(text)
+    message = error_of(tmp_path)
+    assert "run.json: " in message and says in message
 
 
 def row(number: int, **values: Any) -> Change:
@@ -123,13 +138,13 @@ def one_among_many(share: float) -> Change:
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (lambda data: data["benchmarks"].clear(), ["benchmarks"]),
-        (row(3, wavefront_sd=float("nan")), ["benchmarks[3].wavefront_sd", "nan is not a finite number"]),
+        (lambda data: data["benchmarks"].clear(), ["benchmarks: []"]),
+        (row(3, wavefront_sd=float("nan")), ["benchmarks[3].wavefront_sd: nan is not a finite number"]),
         (row(3, wavefront_sd=float("-inf")), ["benchmarks[3].wavefront_sd", "-inf is not a finite number"]),
         (row(3, window_limit=None), ["benchmarks[3].window_limit"]),
         (one_among_many(-0.5), ["benchmarks[5].stolen_share"]),
         (one_among_many(1.5), ["benchmarks[5].stolen_share"]),
-        (row(0, cpu_time="1"), ["benchmarks[0].cpu_time"]),
+        (row(0, cpu_time="fast"), ["benchmarks[0].cpu_time: 'fast' is not of type 'number'"]),
         (row(0, source=1.5), ["benchmarks[0].source"]),
         (row(0, source=-1), ["benchmarks[0].source"]),
         (row(0, mesh=7), ["benchmarks[0].mesh"]),
@@ -137,7 +152,8 @@ def one_among_many(share: float) -> Change:
         (row(0, error_occurred=True), ["benchmarks[0]"]),
         (row(3, windows=7), ["benchmarks[3]", "'windows'"]),
         (ours(extra=1), ["context.geodesic_bench", "'extra'"]),
-        (ours(schema_version=1), ["schema_version"]),
+        (ours(schema_version=1), ["schema_version: 1 is not one of [2, 3]"]),
+        (lambda data: data["context"].pop("geodesic_bench"), ["context: 'geodesic_bench' is a required property"]),
         *((without(key), ["benchmarks[0]", f"'{key}'"]) for key in ("outcome", "cpu_time", "solver", "source")),
         (row(0, outcome="error", error_occurred=True), ["benchmarks[0]", "'error_message'"]),
         (row(0, run_type="aggregate"), ["benchmarks[0].run_type"]),
