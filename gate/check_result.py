@@ -131,7 +131,7 @@ def _counters(run: Run, known: baseline.Counters) -> Iterator[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.Parser(__doc__, "geodesic-bench check-result results/contributed/*.json")
+    parser = console.Parser(__doc__, "geodesic-bench check-result results/contributed/*.json.gz")
     parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="run.json of a run, by any name")
     options = parser.parse_args(arguments)
     failed = 0

@@ -6,6 +6,7 @@ not in datasets/manifest.json. It is written only if `check-result` finds no fau
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import shlex
@@ -28,6 +29,7 @@ from results.text import read_text
 
 ABSOLUTE = re.compile(r"""(?<![\w.:/~-])/(?:[^\s'",;:=()/]+/)*([^\s'",;:=()/]*)""")
 """Matches an absolute path in a text. Group 1 is its last name."""
+SUFFIX = ".json.gz"
 NEXT = (
     "Add it to results/contributed/ of a clone, and open a pull request with it (docs/contributed-results.md)."
 )
@@ -98,10 +100,10 @@ def _cleared(value: Any, folders: Sequence[str]) -> Any:
 
 
 def default_name(run: Run) -> str:
-    """Returns a name such as 2026-11-23-amd-epyc-7b13-standard.json."""
+    """Returns a name such as 2026-11-23-amd-epyc-7b13-standard.json.gz."""
     words = " ".join([*run.processors, run.ours["corpus"]]).lower()
     words = re.sub(r"\((r|tm)\)|\b(cpu|processor)\b|@.*?ghz", " ", words)
-    return "-".join([run.ours["started"][:10], *re.findall(r"[a-z0-9.]+", words)]) + ".json"
+    return "-".join([run.ours["started"][:10], *re.findall(r"[a-z0-9.]+", words)]) + SUFFIX
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -115,20 +117,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="licence of a mesh of your own; repeatable",
     )  # fmt: skip
     parser.add_argument(
-        "-o", "--output", type=Path, metavar="FILE.json",
+        "-o", "--output", type=Path, metavar=f"FILE{SUFFIX}",
         help="file to write (default: in the current folder, named by date, processor and corpus)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
-    if options.output and options.output.suffix != ".json":
-        parser.error(f"--output {options.output}: a result is written as .json")
+    if options.output and not options.output.name.endswith(SUFFIX):
+        parser.error(f"--output {options.output}: a result is written as {SUFFIX}")
     if wrong := [word for word in options.licence if not re.fullmatch(r"[^=]+=.*\S.*", word)]:
         parser.error(f"--licence {wrong[0]}: not MESH=TEXT")
     try:
         run = read_run(options.run or newest_run())
         text = published(run, dict(word.split("=", 1) for word in options.licence))
+        packed = gzip.compress(text.encode(), mtime=0)  # the same bytes for the same run
         with tempfile.TemporaryDirectory(prefix="geodesic-publish-") as scratch:
-            trial = Path(scratch) / "run.json"
-            trial.write_text(text, encoding="utf-8")
+            trial = Path(scratch) / f"run{SUFFIX}"
+            trial.write_bytes(packed)
             found = list(check_result.problems(read_run(trial), *check_result.known()))
         for line in outcomes.first(found):
             console.say(f"FAILED: {line}")
@@ -137,7 +140,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         file = options.output or Path(default_name(run))
         if file.exists():
             raise ResultError(f"{file}: is there already: give another --output")
-        file.write_text(text, encoding="utf-8")
+        file.write_bytes(packed)
         console.say(str(file))
         console.say(NEXT)
     except (ResultError, GateError, OSError) as error:

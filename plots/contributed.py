@@ -70,7 +70,7 @@ END = "<!-- End -->"
 
 def newest() -> dict[str, Run]:
     """Returns the newest run of each corpus. @raises ResultError if a corpus has no run"""
-    runs = sorted((read_run(file) for file in FOLDER.glob("*.json")), key=lambda run: str(run.ours["started"]))
+    runs = sorted((read_run(file) for file in FOLDER.glob("*.json.gz")), key=lambda run: str(run.ours["started"]))
     found = {str(run.ours["corpus"]): run for run in runs}
     if lacking := [corpus for corpus in PICTURES if corpus not in found]:
         raise ResultError(f"{FOLDER}: no result of {', '.join(lacking)}")

@@ -25,7 +25,7 @@ from .names import unknown_name
 from .schema import SCHEMA as SCHEMA
 from .schema import ResultError as ResultError
 from .schema import key_of, validate
-from .text import NotUtf8, read_text
+from .text import NotText, read_text
 
 RUNS = ROOT / "results" / "runs"
 
@@ -394,7 +394,7 @@ def load(file: Path) -> Any:
             _refuse_non_finite(file, data)
     except ResultError:
         raise
-    except NotUtf8 as error:
+    except NotText as error:
         raise ResultError(str(error)) from None
     except RecursionError:
         raise ResultError(f"{file}: nested too deep for a result file") from None

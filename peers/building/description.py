@@ -13,7 +13,7 @@ from fetching.program import find
 from fetching.reporting import FetchError
 
 from results.console import reason_of
-from results.text import NotUtf8, read_text
+from results.text import NotText, read_text
 
 PEERS = Path(__file__).resolve().parents[1]
 
@@ -74,7 +74,7 @@ def read_peer(folder: Path) -> Peer:
         jsonschema.validate(data, json.loads((PEERS / "peer.schema.json").read_text("utf-8")))
     except OSError as error:
         raise FetchError(reason_of(error)) from error
-    except NotUtf8 as error:
+    except NotText as error:
         raise FetchError(str(error)) from error
     except ValueError as error:
         raise FetchError(f"{file} is not JSON: {error}") from error

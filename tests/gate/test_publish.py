@@ -11,6 +11,7 @@ from test_check_result import Data, ours, result as result, write
 
 from gate import check_result, publish
 from results import checksum
+from results.text import read_text
 
 HOME = "/home/ada/my scans"
 
@@ -34,13 +35,13 @@ def run_file(result: Data, tmp_path: Path) -> Path:
 
 
 def publish_run(file: Path, *more: str) -> tuple[int, Path]:
-    out = file.with_name("published.json")
+    out = file.with_name("published.json.gz")
     return publish.main([str(file.parent), "--output", str(out), *more]), out
 
 
 def test_no_folder_and_no_host_is_left_and_every_number_is(run_file: Path, result: Data) -> None:
     code, out = publish_run(run_file)
-    text = out.read_text()
+    text = read_text(out)
     assert code == 0
     assert not [word for word in ("ada", "my scans", "/opt", "/bin", "recordings/") if word in text]
     data: Any = json.loads(text)
@@ -59,7 +60,7 @@ def test_a_command_with_an_apostrophe_that_is_not_quoted_has_no_folder_either(
     ours(result)["command"] = "geodesic-bench run --meshes /home/ada/it's mine/a.ply --sources 2"
     write(run_file, result)
     code, out = publish_run(run_file)
-    assert code == 0 and "/home" not in out.read_text()
+    assert code == 0 and "/home" not in read_text(out)
 
 
 def test_what_is_written_passes_and_is_not_written_over(
@@ -68,7 +69,7 @@ def test_what_is_written_passes_and_is_not_written_over(
     code, out = publish_run(run_file)
     assert code == 0 and publish.NEXT in capsys.readouterr().out
     assert check_result.main([str(out)]) == 0
-    assert checksum.stated(out.read_text()) == checksum.computed(out.read_text())
+    assert checksum.stated(read_text(out)) == checksum.computed(read_text(out))
     assert publish_run(run_file)[0] == 1 and "is there already" in capsys.readouterr().err
 
 
@@ -83,7 +84,7 @@ def test_a_mesh_of_ones_own_needs_a_licence(
         capsys.readouterr().out
     )
     code, out = publish_run(file, "--licence", "scan=CC BY 4.0, by Ada")
-    assert code == 0 and ours(json.loads(out.read_text()))["meshes"][0]["licence"] == "CC BY 4.0, by Ada"
+    assert code == 0 and ours(json.loads(read_text(out)))["meshes"][0]["licence"] == "CC BY 4.0, by Ada"
 
 
 def test_what_would_be_refused_is_not_written(

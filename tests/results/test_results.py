@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import subprocess
 from collections.abc import Callable
@@ -86,6 +87,24 @@ def test_truncated_file_and_bytes_that_are_no_text_are_no_json(
     whole = (golden_folder / "run.json").read_bytes()
     (tmp_path / "run.json").write_bytes(b"\xff{}" if length is None else whole[:length])
     assert "run.json: not JSON, perhaps truncated" in error_of(tmp_path)
+
+
+def test_a_packed_file_is_the_file_and_a_broken_one_is_refused(
+    golden_run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    packed, file = gzip.compress(golden_run.file.read_bytes()), tmp_path / "run.json.gz"
+    file.write_bytes(packed)
+    assert read_file(file).columns.length == golden_run.columns.length
+    for data, why in [
+        (packed[:-9], "truncated; get a whole copy"),
+        (b"{}", "not packed by gzip, or damaged; get a whole copy"),
+        (packed[:50] + bytes(9) + packed[59:], "not packed by gzip, or damaged; get a whole copy"),
+    ]:
+        file.write_bytes(data)
+        assert error_of(file) == f"{file}: {why}"
+    monkeypatch.setattr("results.text.MOST", 1 << 20)
+    file.write_bytes(gzip.compress(bytes(2 << 20)))
+    assert error_of(file) == f"{file}: more than 1 MB"
 
 
 def test_byte_order_mark_of_utf_8_is_no_part_of_the_text_and_utf_16_is_named(
