@@ -48,7 +48,7 @@ Options:
                        bunny and rocker arm where available; see geodesic-bench list)
   --solvers A,B        only these solvers
   --peers all|A,B      also these public codes: built by peers, measured by run
-  --meshes A,B         only these meshes of the corpus
+  --meshes A,B         these in place of the corpus: its names, mesh files, folders, quoted patterns
   --sources N          source vertices of each mesh
   --further-sources N  random vertices that each solver then solves from, one after the other
   --path-targets N     vertices to measure paths to, of solvers that have paths
@@ -64,8 +64,7 @@ Options:
                        passed on to geodesic-bench run: see its --help
   --resume DIR         continue an interrupted run with its options
   --run DIR            folder of an old run, for check and plot (default: the newest)
-  --preset NAME        the build to measure: release (default), or ci (the same with warnings as
-                       errors; it configures the tests too)
+  --preset NAME        the build to measure: release (default), or ci (warnings are errors)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 

@@ -68,7 +68,8 @@ def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
             missing += 1
             line = f"missing: {error}"
         console.say(f"{peer.name}: {line}")
-    console.say(f"{len(peers)} peers: {len(peers) - missing} built, {missing} missing")
+    kind = "peer" if len(peers) == 1 else "peers"
+    console.say(f"{len(peers)} {kind}: {len(peers) - missing} built, {missing} missing")
     return missing
 
 

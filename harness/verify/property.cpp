@@ -109,7 +109,7 @@ std::string unclaimed(const Property& property, const Description& solver) {
     const bool needed = (property.needs & each.claim) != 0;
     if (needed && !each.made_by(solver)) missing.emplace_back(each.words);
   }
-  return missing.empty() ? "" : "does not claim: " + join(missing);
+  return missing.empty() ? "" : "does not promise: " + join(missing);
 }
 
 bool too_large(const Case& given, const Description& solver) {

@@ -133,7 +133,8 @@ inline constexpr const char* kDistancesProperty = "distances-equal-the-reference
 /// The property's needs in words: "a distance limit".
 std::vector<std::string> needs_of(const Property& property);
 
-/// "does not claim: a distance limit, multiple sources"; empty when the solver claims all needs.
+/// "does not promise: a distance limit, multiple sources"; empty when the solver promises all
+/// needs.
 std::string unclaimed(const Property& property, const Description& solver);
 
 /// Whether the mesh has more vertices than the solver is meant for. Such cases are skipped.

@@ -189,7 +189,7 @@ class Verification {
         return print_line("holds", name, "");
       case CheckOutcome::not_claimed:
         ++count_.not_claimed;
-        return print_line("not claimed", name, check_.solver().name + ' ' + result.what);
+        return print_line("not promised", name, check_.solver().name + ' ' + result.what);
       case CheckOutcome::not_known:
         ++count_.not_known;
         return print_line("not known", name, result.what);
@@ -208,7 +208,7 @@ class Verification {
   void summarise() const {
     std::cout << '\n'
               << check_.solver().name << ": " << count_.hold << " hold, " << count_.failed
-              << " fail, " << count_.not_claimed << " not claimed, " << count_.not_known
+              << " fail, " << count_.not_claimed << " not promised, " << count_.not_known
               << " not known\n";
     if (count_.not_checked > 0) {
       std::cout << count_.not_checked << " not checked, after " << count_.timed_out

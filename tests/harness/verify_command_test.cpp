@@ -133,10 +133,10 @@ TEST_F(VerifyCommand, WarnsOfASolverThatPropagatesFarMoreWindowsThanItsFamily) {
 TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
   const Output found = verify("dijkstra", {"--property", "distances-are-symmetric"});
   EXPECT_EQ(found.code, 0) << found.out << found.err;
-  expect_words(found.out, {"not claimed", "dijkstra does not claim: exact distances"});
+  expect_words(found.out, {"not promised", "dijkstra does not promise: exact distances"});
   const Output large = verify("tiny", {"--property", "distances-are-symmetric"});
   EXPECT_EQ(large.code, 0) << large.out << large.err;
-  expect_words(large.out, {"not claimed", "is limited to 3 vertices"});
+  expect_words(large.out, {"not promised", "is limited to 3 vertices"});
 }
 
 // Vertex 0 of the hill is isolated: no limit separates its distances.
@@ -145,8 +145,8 @@ TEST_F(VerifyCommand, DoesNotCallHoldingWhatComparesNothing) {
       verify("dijkstra", {"--property", "limit-keeps-what-is-nearer-and-drops-what-is-farther",
                           "--meshes", "hill", "--source", "0"});
   EXPECT_EQ(found.code, 0) << found.err;
-  expect_words(found.out, {"not claimed", "dijkstra has nothing to compare here",
-                           "dijkstra: 0 hold, 0 fail, 1 not claimed"});
+  expect_words(found.out, {"not promised", "dijkstra has nothing to compare here",
+                           "dijkstra: 0 hold, 0 fail, 1 not promised"});
 }
 
 TEST_F(VerifyCommand, AsksForDistancesOnMeshesOfTheUser) {
@@ -240,7 +240,7 @@ TEST_F(VerifyCommand, InexactSolversAreHeldToWhatTheyPromise) {
   EXPECT_EQ(code("upper?off=-0.01", cube).first, 2);
   const auto [skipped, why] = code("bounded", "distances-are-symmetric");
   EXPECT_EQ(skipped, 0);
-  expect_words(why, {"not claimed", "bounded does not claim: exact distances"});
+  expect_words(why, {"not promised", "bounded does not promise: exact distances"});
 }
 
 TEST_F(VerifyCommand, ListsThePropertiesWithTheirStatements) {
