@@ -12,12 +12,14 @@ from collections.abc import Collection
 from hashlib import sha256
 from pathlib import Path
 
+from results.names import registered
+
 SHARED = "CMakeFiles"
 """The folder under solvers/ in a build with the objects of the shared code."""
 
 
 def unchanged(base: Path, head: Path, tree: Path, solvers: Collection[str]) -> set[str]:
-    """Returns those of the solvers whose machine code is the same. A solver that no family registers,
+    """Returns those of the solvers whose machine code is the same. A solver outside the families,
     such as a variant, needs all objects to be the same. Builds without a list of objects have none.
 
     @param base, head folders of the builds
@@ -25,13 +27,13 @@ def unchanged(base: Path, head: Path, tree: Path, solvers: Collection[str]) -> s
     old, new = _objects(base), _objects(head)
     present = {Path(name).parts[1] for name in new}
     differ = {Path(name).parts[1] for name, _ in old.items() ^ new.items()}
-    families = _families(tree)
+    folders = {name: file.parent for name, file in registered(tree).items()}
 
     def same(solver: str) -> bool:
-        family = families.get(solver.split("?")[0])
-        if family is None:
+        folder = folders.get(solver.split("?")[0])
+        if folder is None or folder.parent != tree / "solvers":
             return bool(present) and not differ
-        return {SHARED, family} <= present - differ
+        return {SHARED, folder.name} <= present - differ
 
     return {solver for solver in solvers if same(solver)}
 
@@ -46,12 +48,3 @@ def _objects(build: Path) -> dict[str, bytes]:
         return {name: sha256((build / name).read_bytes()).digest() for name in names}
     except (OSError, ValueError, KeyError, TypeError):
         return {}
-
-
-def _families(tree: Path) -> dict[str, str]:
-    """Returns the folder of the family that registers a solver, by the solver's name."""
-    return {
-        name: file.parent.name
-        for file in tree.glob("solvers/*/*.cpp")
-        for name in re.findall(r'\.name = "([^"]+)"', file.read_text(encoding="utf-8"))
-    }

@@ -17,17 +17,11 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from results import console
-from results.names import unknown_name
+from results.names import registered, unknown_name
 
 
 class WordError(Exception):
     """A word that names nothing."""
-
-
-def solvers() -> set[str]:
-    """Returns the names that the files of solvers/ register."""
-    texts = (file.read_text("utf-8") for file in (ROOT / "solvers").glob("**/*.cpp"))
-    return {name for text in texts for name in re.findall(r'\.name = "([^"]+)"', text)}
 
 
 def peers() -> set[str]:
@@ -82,7 +76,7 @@ def check(options: dict[str, str]) -> None:
         for name in options["peers"].split(","):
             check_name("--peers", "peer", name, peers())
     if "solvers" in options:
-        check_solvers(options["solvers"], solvers() | (peers() if "peers" in options else set()))
+        check_solvers(options["solvers"], set(registered(ROOT)) | (peers() if "peers" in options else set()))
     if "resume" in options:
         check_folder("--resume", Path(options["resume"]), "request.json", "no run began there")
     if "run" in options:
