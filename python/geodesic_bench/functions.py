@@ -157,6 +157,7 @@ class _Described:
     def drive(self, command: list[str], progress: bool) -> list[str]:
         """Runs the program to its end. @return the lines that the program prints"""
         said: list[str] = []
+        sys.stdout.flush()  # the caller's lines come before those of the program
         with subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
         ) as process:
