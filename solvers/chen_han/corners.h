@@ -6,6 +6,7 @@
 // its lines have crossed the owner's line to the apex, where the owner is at least as near.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "solvers/core/geometry.h"
@@ -23,19 +24,24 @@ class Corners {
 
   /// Returns the sides of the apex on which a window of half-edge h has children. Its line to the
   /// apex has length `distance` and crosses the edge at `position`. Makes the window the owner of
-  /// the corner if it is the nearest so far. Lines that cross the edge less than `resolution` apart
-  /// have no side: coincident vertices send out windows from one point that see different parts of
-  /// the edge. `resolution` must be small: if lines pass a source near a corner over faces 10^4
-  /// times as long as wide, so many of them cross within 10^-6 of the edge that nothing bounds the
-  /// windows.
-  Sides claim(Index h, double distance, double position, double resolution) {
+  /// the corner if it is the nearest so far.
+  ///
+  /// Lines that cross the edge less than `resolution` apart have no side: coincident vertices send
+  /// out windows from one point that see different parts of the edge. Lines of such a window that
+  /// cross the edge near the owner's line are beaten by the owner's path to its own crossing and
+  /// from there along the edge. The window has a child on each side on which it has farther lines.
+  /// Without this rule nothing bounds the number of narrow windows that wind round a tube.
+  Sides claim(Index h, const Window& w, double distance, double position, double resolution) {
     Owner& owner = owners_[h];
     if (distance < owner.distance) {
       owner = {distance, position};
       return {true, true};
     }
-    return sides_not_crossing({true, true}, position - resolution, position + resolution,
-                              owner.position);
+    if (std::abs(position - owner.position) > resolution) {
+      return sides_not_crossing({true, true}, position, position, owner.position);
+    }
+    const double beaten = (distance - owner.distance) / 2 - resolution;  // from `position` on
+    return {position - w.begin > beaten, w.end - position > beaten};
   }
 
   /// Starts to load the owner of a corner.

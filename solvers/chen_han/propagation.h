@@ -287,10 +287,10 @@ class Propagation {
     if (to.left && to.right) {
       const double distance = distance_through(w, face.apex_x, face.apex_y);
       improve_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
-      // A window that ends at the apex keeps its child: its neighbour may be the owner.
-      if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
+      if (has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
-        to = corners_.claim(h, distance, apex_line_position(w, face), kApexTolerance * face.length);
+        to = corners_.claim(h, w, distance, apex_line_position(w, face),
+                            kApexTolerance * face.length);
       }
     } else if (sight.reaches()) {
       const double bend = sight.left() ? w.end : w.begin;  // the apex lies beyond this end

@@ -27,8 +27,8 @@ class EndlessPropagation : public std::runtime_error {
 ///
 /// Solvers that drop beaten windows stay below a thousandth of it on every mesh of the conformance
 /// properties, including those with thousands of ties, valences and boundary loops. `ch` drops
-/// nothing and is meant for 1,200 vertices. It propagates up to 0.7 H^2 windows: a twenty-fifth of
-/// the bound on a box of 1,200 faces. Chen and Han 1990 bound their windows by H^2, which meshes
+/// nothing and is meant for 1,200 vertices. It propagates up to 0.2 H^2 windows: a hundredth of the
+/// bound on a box of 1,200 faces. Chen and Han 1990 bound their windows by H^2, which meshes
 /// made for it need; up to H = 2^20, 350,000 faces, that is below this bound too.
 std::uint64_t window_bound(const Mesh& mesh);
 
