@@ -93,8 +93,9 @@ std::vector<InternalPoint> in_every_face(const Mesh& mesh, const InternalPoint& 
 /// Moves a point of a mirror image into the given face; returns any other point unchanged.
 InternalPoint in_given_face(const Mesh& mesh, const InternalPoint& point);
 
-/// Follows all straight lines that leave a point of a face through its corners and sides.
-/// @param in_face not a vertex
+/// Follows all straight lines that leave a point through the corners and sides of every face that
+/// contains it.
+/// @param point not a vertex
 /// @param reach called as (Index h, Point2 from, double distance, bool is_next) for each corner,
 ///        the apex of h: the point in the frame of h; its distance from the corner, accurate to all
 ///        digits of the weights, however small it is; and is_next_to_apex
@@ -102,24 +103,17 @@ InternalPoint in_given_face(const Mesh& mesh, const InternalPoint& point);
 ///        since lines pass all of it: the point in the frame of the twin of h, with y <= 0 and kept
 ///        off the side as an apex is (apex_from_beyond). The twin may not exist.
 template <class Reach, class Cross>
-void spread_in_face(const Mesh& mesh, const InternalPoint& in_face, const Reach& reach,
-                    const Cross& cross) {
-  const Index under = edge_under(in_face);
-  for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
-    const Point2 from = in_frame(mesh, in_face, h);
-    const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
-    const double to_apex = norm(from_apex);
-    reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
-    if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
-  }
-}
-
-/// Calls spread_in_face for every face that contains the point.
-template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const InternalPoint& point, const Reach& reach,
                  const Cross& cross) {
   for (const InternalPoint& in_face : in_every_face(mesh, point)) {
-    spread_in_face(mesh, in_face, reach, cross);
+    const Index under = edge_under(in_face);
+    for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
+      const Point2 from = in_frame(mesh, in_face, h);
+      const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
+      const double to_apex = norm(from_apex);
+      reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
+      if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
+    }
   }
 }
 
