@@ -6,7 +6,7 @@ import argparse
 import math
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -18,6 +18,7 @@ if __name__ == "__main__":
 from gate import revisions
 from gate.builds import Tree, build, tree_of
 from gate.findings import GateError
+from gate.options import add_to, number
 from gate.program import Program
 from gate.progress import say
 from gate.verdict import as_text, write
@@ -27,40 +28,15 @@ GATE = ROOT / "build" / "gate"
 NOISE = GATE / "noise.json"
 
 
-def _number(accepts: Callable[[float], bool], what: str) -> Callable[[str], float]:
-    def parse(text: str) -> float:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not accepts(value):
-            raise argparse.ArgumentTypeError(f"'{text}': {what}")
-        return value
-
-    return parse
-
-
-def _levels(text: str) -> tuple[int, ...]:
-    known = {str(level): level for level in revisions.ALL_LEVELS}
-    chosen = set(text.split(","))
-    if not chosen <= known.keys():
-        raise argparse.ArgumentTypeError(f"'{text}': levels are 0, 1, 2, 3 and 4, as in 0,1,2")
-    return tuple(sorted(known[word] for word in chosen))
-
-
 def parse(words: Sequence[str] | None) -> argparse.Namespace:
-    margin = _number(lambda value: 1 < value < 10, "a margin is a ratio above 1, as in 1.10")
-    seconds = _number(lambda value: 0 <= value < math.inf, "seconds, 0 or more, as in 300")
-    sessions = _number(lambda value: value >= 1 and value % 1 == 0, "at least one session, as in 3")
+    seconds = number(lambda value: 0 <= value < math.inf, "seconds, 0 or more, as in 300")
+    sessions = number(lambda value: value >= 1 and value % 1 == 0, "at least one session, as in 3")
     parser = console.Parser(__doc__)
     parser.add_argument("base", nargs="?")
     parser.add_argument("head", nargs="?")
-    parser.add_argument("--levels", type=_levels, default=revisions.ALL_LEVELS)
-    parser.add_argument("--margin", type=margin, default=revisions.MARGIN)
+    add_to(parser, revisions.ALL_LEVELS)
     parser.add_argument("--budget", type=seconds, default=revisions.BUDGET)
     parser.add_argument("--solvers", default="")
-    parser.add_argument("--out", type=Path)
-    parser.add_argument("--strict", action="store_true")
     parser.add_argument("--all", action="store_true", dest="everything")
     parser.add_argument("--a-a", type=sessions, metavar="N")
     parser.add_argument("--update-baseline", action="store_true")

@@ -15,13 +15,14 @@ from results.reader import Cell, Source
 from results.text import read_text
 
 from gate.findings import ERROR, GateError, LevelResult, Weight
-from gate.measured import COUNTERS, Number
+from gate.levels import counters_heading, judge_counters
+from gate.measured import COUNTERS
 from gate.program import Verified
 
 FOLDER = Path("results") / "baseline"
 FILE = "counters.csv"
 CHANGES = "CHANGES.md"
-GROWTH_FAIL = 0.01
+KEEP = "--update-baseline keeps the gain"
 KEY = ["solver", "mesh", "source"]
 Counters = dict[Cell, dict[str, int]]
 
@@ -70,12 +71,13 @@ def compare(
 ) -> LevelResult:
     """@param solvers names of the solvers to compare; None for all"""
     result = LevelResult(1, "The algorithms' counters against the committed baseline")
-    result.heading = ["row", "counter", "baseline", "head", "change"]
+    result.heading = counters_heading("baseline")
     counted = counters_of(run)
     expected = {c: n for c, n in baseline.items() if solvers is None or c.solver in solvers}
     for cell in sorted(expected.keys() & counted.keys()):
         result.compared += 1
-        _judge(result, cell, expected[cell], counted[cell])
+        for name in judge_counters(result, cell, expected[cell], counted[cell], KEEP):
+            result.fail(f"{cell}: {name}", ERROR, remark="only one of the two has this counter")
     _missing(result, sorted(expected.keys() - counted.keys()), run)
     new = {f"{cell.solver} on {cell.mesh}" for cell in counted.keys() - baseline.keys()}
     if new:
@@ -85,24 +87,6 @@ def compare(
             " --update-baseline adds them",
         )
     return result
-
-
-def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, int]) -> None:
-    for name in COUNTERS:
-        before, after = old.get(name), new.get(name)
-        if before == after:
-            continue
-        if before is None or after is None:
-            text = f"{cell}: {name} {before} to {after}"
-            result.fail(text, ERROR, remark="only one of the two has this counter")
-            continue
-        number = Number(before, after)
-        result.table.append([str(cell), name, str(before), str(after), number.change])
-        text = f"{cell}: {name} {number.change}, {before} to {after}"
-        if after > before:
-            result.judge_growth(text, number, cell.solver, GROWTH_FAIL, warn=0)
-        else:
-            result.add(Weight.NOTE, text, remark="--update-baseline keeps the gain")
 
 
 def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:

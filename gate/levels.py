@@ -1,6 +1,6 @@
-"""Levels 0, 2 and 3: answers, instructions and memory, which do not depend on the machine's load.
+"""Levels 0 to 3: answers, counters, instructions and memory, which do not depend on the machine's load.
 
-Level 1 is in baseline.py, level 4 in timing.py.
+The gate's level 1 compares with a baseline (baseline.py). Level 4 is in timing.py.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from results.reader import Cell
 
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
-from gate.measured import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
+from gate.measured import COUNTERS, MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.program import NotCountableError, Program, Verified
 from gate.progress import about, say
 
@@ -21,6 +21,7 @@ INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
 """Also the noise of a count."""
 MEMORY_FAIL = 0.02
+COUNTERS_FAIL = 0.01
 CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
 """The smallest meshes of the suite, because a program runs 50 times slower under callgrind."""
 SECONDS_OF_COUNT = 2.5
@@ -35,8 +36,8 @@ def answers(base: Verified, head: Verified) -> LevelResult:
     for cell, after in head.cells.items():
         by_solver.setdefault(cell.solver, []).append(after)
         _judge_answer(result, after, base.cells.get(cell))
-    _only_in(result, "base", base.cells.keys() - head.cells.keys())
-    _only_in(result, "head", head.cells.keys() - base.cells.keys())
+    _only_in(result, "base", base.cells.keys() - head.cells.keys(), head.cells)
+    _only_in(result, "head", head.cells.keys() - base.cells.keys(), base.cells)
     result.table = [_answer_line(solver, rows) for solver, rows in by_solver.items()]
     return result
 
@@ -67,10 +68,13 @@ def _answer_line(solver: str, rows: list[Measured]) -> list[str]:
     return [solver, f"{len(errors)} of {len(rows)}", largest, state]
 
 
-def _only_in(result: LevelResult, side: str, cells: Iterable[Cell]) -> None:
-    for solver in sorted({cell.solver for cell in cells}):
-        meaning = "new, nothing to compare with" if side == "head" else "removed or renamed"
-        result.add(Weight.NOTE, solver, remark=f"only in the {side}: {meaning}")
+def _only_in(
+    result: LevelResult, side: str, cells: Iterable[Cell], others: Iterable[Cell]
+) -> None:
+    meaning = "new, nothing to compare with" if side == "head" else "removed or renamed"
+    both = {cell.solver for cell in others}
+    for name in sorted({str(cell) if cell.solver in both else cell.solver for cell in cells}):
+        result.add(Weight.NOTE, name, remark=f"only in the {side}: {meaning}")
 
 
 def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:
@@ -80,6 +84,30 @@ def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:
         for cell, after in head.cells.items()
         if after.ok and cell in base.cells and base.cells[cell].ok
     ]
+
+
+def counters_heading(base: str) -> list[str]:
+    return ["row", "counter", base, "head", "change"]
+
+
+def judge_counters(
+    result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, int], gain: str = ""
+) -> list[str]:
+    """Level 1 for a row. Returns the names of the counters that only one of the two has.
+
+    @param gain what is said of a counter that has decreased"""
+    for name in COUNTERS:
+        before, after = old.get(name), new.get(name)
+        if before is None or after is None or before == after:
+            continue
+        number = Number(before, after)
+        result.table.append([str(cell), name, str(before), str(after), number.change])
+        text = f"{cell}: {name} {number.change}, {before} to {after}"
+        if after > before:
+            result.judge_growth(text, number, cell.solver, COUNTERS_FAIL, warn=0)
+        else:
+            result.add(Weight.NOTE, text, remark=gain)
+    return [name for name in COUNTERS if (name in old) != (name in new)]
 
 
 def memory(base: Verified, head: Verified) -> LevelResult:

@@ -16,14 +16,16 @@ from results.reader import Cell
 
 from gate import baseline, code, levels, timing
 from gate.findings import GateError, LevelResult, Weight
+from gate.options import MARGIN
 from gate.program import Program, Verified
 from gate.progress import say
 from gate.verdict import Verdict, judge, of_level
 
 CORPUS = "regression"
 ALL_LEVELS = (0, 1, 2, 3, 4)
-MARGIN = 1.10
 BUDGET = 300.0
+UNDECIDED = "not decided against the margin"
+REPEAT = "repeat with a larger --budget, or on a quieter machine"
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,7 @@ def _time(
     }  # fmt: skip
     timed = timing.Timing(options.margin, grown, options.everything)
     timing.measure(timed, cells, sessions(base, head, options), options.budget, say)
-    result = timing.report(timed, options.budget)
+    result = timing.report(timed, f"{UNDECIDED} in {options.budget:g} s of further sessions: {REPEAT}")
     if left:
         result.add(Weight.NOTE, why)
     return result

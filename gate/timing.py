@@ -70,6 +70,7 @@ class Timing:
     """Level, 1 or 2, at which a solver has grown, by solver."""
     everything: bool = False
     """Whether rows are measured until they are decided when another one has failed."""
+    confirmed: int = CONFIRMED
     pairs: dict[Cell, Pairs] = field(default_factory=dict)
     sessions: dict[Cell, int] = field(default_factory=dict)
     _means: dict[str, Estimate] = field(default_factory=dict)
@@ -111,7 +112,7 @@ class Timing:
         return self._confirmed(decision, self.cells_of(solver))
 
     def _confirmed(self, decision: Decision, cells: list[Cell]) -> Decision:
-        confirmed = all(self.sessions[cell] >= CONFIRMED for cell in cells)
+        confirmed = all(self.sessions[cell] >= self.confirmed for cell in cells)
         if decision != Decision.SLOWER or confirmed or cells[0].solver in self.grown:
             return decision
         return Decision.UNDECIDED
@@ -151,14 +152,14 @@ def measure(
         timing.add(session(suspects))
 
 
-def report(timing: Timing, seconds: float) -> LevelResult:
-    """Returns the result of level 4."""
+def report(timing: Timing, undecided: str) -> LevelResult:
+    """Returns the result of level 4. @param undecided what is said of rows that the pairs do not decide"""
     result = LevelResult(4, f"{TITLE}, margin {timing.margin:g}")
-    result.heading = ["row", "base ms", "head ms", "head/base", "99% interval", "pairs", "decision"]
+    result.heading = ["row", "base ms", "head ms", "head/base", "interval", "pairs", "decision"]
     for solver in timing.solvers:
         failed = _report_mean(result, timing, solver)
         for cell in timing.cells_of(solver):
-            _report_row(result, timing, cell, seconds, solver_failed=failed)
+            _report_row(result, timing, cell, undecided, solver_failed=failed)
     return result
 
 
@@ -167,17 +168,18 @@ def _report_mean(result: LevelResult, timing: Timing, solver: str) -> bool:
     mean, decision = timing.mean(solver), timing.mean_decision(solver)
     if mean is None:
         return False
-    rows = len(timing.cells_of(solver))
-    text = f"{solver}: {_times(mean)}, geometric mean over {rows} rows"
+    what = mean_of(solver, len(timing.cells_of(solver)))
+    result.table.append([what, "", "", f"{mean.value:.3f}", interval(mean), "", str(decision)])
+    text = f"{what}: {times(mean)}"
     if decision == Decision.SLOWER:
         result.fail(text + _cause(timing, solver), REGRESSION, solver)
-    elif _noticeable(mean, timing.margin):
+    elif noticeable(mean, timing.margin):
         result.add(Weight.WITHIN_MARGIN, text, solver=solver)
     return decision == Decision.SLOWER
 
 
 def _report_row(
-    result: LevelResult, timing: Timing, cell: Cell, seconds: float, solver_failed: bool
+    result: LevelResult, timing: Timing, cell: Cell, undecided: str, solver_failed: bool
 ) -> None:
     pairs, decision = timing.pairs[cell], timing.decision(cell)
     judged = decide(pairs.ratios, timing.margin)
@@ -186,10 +188,10 @@ def _report_row(
     old, new = statistics.median(pairs.first), statistics.median(pairs.second)
     result.table.append([
         str(cell), four_digits(old), four_digits(new),
-        f"{ratio.value:.3f}", f"{ratio.low:.3f} to {ratio.high:.3f}", str(len(pairs)),
+        f"{ratio.value:.3f}", interval(ratio), str(len(pairs)),
         "NOT RESOLVED" if decision == Decision.UNDECIDED else str(decision),
     ])  # fmt: skip
-    text = f"{cell}: {_times(ratio)}, {len(pairs)} pairs"
+    text = f"{cell}: {times(ratio)}, {len(pairs)} pairs"
     if pairs.disturbed:
         text += f", {pairs.disturbed} disturbed"
     if decision == Decision.SLOWER:
@@ -197,23 +199,30 @@ def _report_row(
     elif decision == Decision.UNDECIDED and not solver_failed:
         why = (
             "not measured further, since the verdict is certain (--all measures on)" if timing.certain
-            else f"not decided against the margin in {seconds:g} s of further sessions: repeat"
-            " with a larger --budget, or on a quieter machine"
+            else undecided
         )  # fmt: skip
         result.add(Weight.NOT_RESOLVED, text, remark=why)
-    elif _noticeable(ratio, timing.margin) and not solver_failed:
+    elif noticeable(ratio, timing.margin) and not solver_failed:
         result.add(Weight.WITHIN_MARGIN, text, solver=cell.solver)
 
 
-def _times(ratio: Estimate) -> str:
+def mean_of(solver: str, rows: int) -> str:
+    return f"{solver}, geometric mean over {rows} rows"
+
+
+def times(ratio: Estimate) -> str:
     return f"{ratio.value:.3f} times as long [{ratio.low:.3f}, {ratio.high:.3f}]"
+
+
+def interval(mean: Estimate) -> str:
+    return f"{mean.low:.3f} to {mean.high:.3f}"
 
 
 def _cause(timing: Timing, solver: str) -> str:
     return f"; level {timing.grown[solver]} has grown as well" if solver in timing.grown else ""
 
 
-def _noticeable(ratio: Estimate, margin: float) -> bool:
+def noticeable(ratio: Estimate, margin: float) -> bool:
     """Whether the ratio is certainly above 1 and its growth is at least half of the allowed growth."""
     return ratio.low > 1 and ratio.value >= 1 + (margin - 1) / 2
 

@@ -133,9 +133,8 @@ CASES = [
     # compare
     flag("geodesic-bench compare old new", "geodesic-bench compare: old: no such folder"),
     flag(f"geodesic-bench compare '{GOLDEN}'", "no programs. Give two runs otherwise"),
-    flag("geodesic-bench compare old new --fail-on speed=1%", "no kind of limit named 'speed'"),
-    flag("geodesic-bench compare old new --fail-on time=ten", "'time=ten' must have the form time=10%"),
-    script("compare", "old new --format xml", "--format: invalid choice: 'xml'", "markdown"),
+    script("compare", "old new --margin 10%", "--margin: '10%': a margin is a ratio above 1", "1.10"),
+    script("compare", "old new --levels 2", "--levels: '2': levels are 0, 1, 3 and 4"),
     # scripts
     flag("run_all.sh --fast", "run_all.sh: unknown option --fast; see run_all.sh --help"),
     flag("run_all.sh --corpus", "run_all.sh: --corpus needs a value; see run_all.sh --help"),

@@ -35,7 +35,7 @@ def made(ratio: float, spread: float, seed: int, pairs: int = PAIRS) -> Pairs:
 
 
 def verdict_of(timed: Timing, strict: bool = False) -> Verdict:
-    return judge("base", "head", [timing.report(timed, 300)], strict)
+    return judge("base", "head", [timing.report(timed, "larger --budget")], strict)
 
 
 class Machine:
@@ -119,7 +119,7 @@ def test_a_solver_that_is_slower_on_the_mean_is_a_regression() -> None:
         timed.add({A: made(1.2, 0.15, 1), B: made(1.2, 0.15, 2), C: made(1.2, 0.15, 3)})
     assert timed.mean_decision("mmp") == Decision.SLOWER
     verdict = verdict_of(timed)
-    assert "mmp: 1." in first(verdict) and "geometric mean over 3 rows" in first(verdict)
+    assert first(verdict).startswith("mmp, geometric mean over 3 rows: 1.")
     assert timed.suspects() == []
 
 
@@ -156,7 +156,7 @@ def test_time_fails_only_above_the_margin(world: World) -> None:
     verdict = world.gate(fact("mmp", "cpu_ms", 56.0), levels=(4,))
     assert verdict.exit_code == REGRESSION
     assert first(verdict) == (
-        "mmp: 1.120 times as long [1.120, 1.120], geometric mean over 2 rows"
+        "mmp, geometric mean over 2 rows: 1.120 times as long [1.120, 1.120]"
     )
     assert [path.name for path in sorted(world.options.out.glob("time-*"))] == ["time-1", "time-2"]
 
@@ -254,7 +254,7 @@ def test_15_percent_in_one_solver_time_that_solver_only(
         code("mmp")(head)
 
     verdict = world.gate(slower, noisy, levels=(0, 1, 2, 3, 4))
-    assert verdict.exit_code == REGRESSION and first(verdict).startswith("mmp: 1.150 times as long")
+    assert verdict.exit_code == REGRESSION and first(verdict).startswith("mmp, geometric mean over 2 rows: 1.150")
     assert world.measured["timed processes"] == 2 * ROWS
 
 
