@@ -127,7 +127,7 @@ class Copy:
         self._update()
         for words in (["init", "--quiet"], ["add", "--all"]):  # some tests read what git lists
             self._call(["git", *words], "the copy cannot be a repository")
-        self._call(["cmake", "--preset", PRESET], "the copy cannot be configured")
+        self._call(["cmake", "--preset", PRESET, "-DGEODESIC_TESTS=ON"], "the copy cannot be configured")
 
     def _update(self) -> None:
         """Copies what differs. New files have new times, so that they are built again."""
