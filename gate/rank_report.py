@@ -169,13 +169,13 @@ def as_latex(ranking: Ranking, run: Run) -> str:
         f" the meshes. Right of 1 the solver is slower than {name}; hollow marks are not resolved."
     )
     return (
-        "% \\input this file; needs \\usepackage{booktabs,graphicx}\n"
+        "% \\input this file; needs \\usepackage{adjustbox,booktabs,graphicx}\n"
         + _latex_table(_overall(ranking), f"{verdict(ranking)} {_explanation(ranking)}")
         + "\n"
         + _latex_table(by_mesh, f"Time of the solver in the column over that of {name} on every"
                                 " mesh: median of pairs, with its 95% interval.")
         + "\n\\IfFileExists{rank.pdf}{%\n\\begin{figure}\n\\centering\n"
-        + f"\\includegraphics{{rank.pdf}}\n\\caption{{{escape_latex(figure)}}}\n"
+        + f"\\includegraphics[width=\\linewidth]{{rank.pdf}}\n\\caption{{{escape_latex(figure)}}}\n"
         + "\\end{figure}}{}\n"
     )  # fmt: skip
 
@@ -183,7 +183,7 @@ def as_latex(ranking: Ranking, run: Run) -> str:
 def _latex_table(table: Table, caption: str) -> str:
     return (
         f"\\begin{{table}}\n\\centering\\small\n\\caption{{{escape_latex(caption)}}}\n"
-        f"{to_tabular(table)}\\end{{table}}\n"
+        f"{to_tabular(table)}\n\\end{{table}}\n"
     )
 
 

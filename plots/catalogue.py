@@ -183,5 +183,5 @@ def _draw_files(run: Run, folder: Path, out: Path | None, name: str) -> Files:
             files = table.write(one, out or folder / "tables")
         else:
             written[name], files = drawing.write(one, name, out or folder / "figures")
-        lines.append(f"{files[0]} (also {', '.join(file.suffix for file in files[1:])})")
+        lines.append(f"{files[0]} (also {', '.join(dict.fromkeys(file.suffix for file in files[1:]))})")
     return Files(written, left_out, lines)

@@ -1,11 +1,11 @@
-"""Tables in four formats: Markdown and aligned text to read, LaTeX to print, and CSV (unrounded) to
-reuse. Also the escapes for LaTeX and Markdown."""
+"""Tables in four formats: Markdown and aligned text to read, LaTeX for the floats of a paper, and CSV
+(unrounded) to reuse. Also the escapes for LaTeX and Markdown."""
 
 from __future__ import annotations
 
 import csv
 import io
-import math
+import itertools
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -32,6 +32,8 @@ class Field:
 
 
 BLANK = Field("")
+PAGE_ROWS = 60
+"""Largest number of rows that can be read on one page."""
 
 
 def decimals(value: float, digits: int) -> int:
@@ -168,42 +170,63 @@ def to_csv(table: Table) -> str:
 
 
 def to_latex(table: Table) -> str:
-    """Formats a longtable to be \\input. A rule separates rows with different values in the first column."""
+    """Formats the content of a float, to be \\input, with the remarks and footnotes under the tabular. The
+    first line is a comment that shows the float."""
+    lines = [
+        rf"% \usepackage{{adjustbox,booktabs}} \begin{{table*}} \caption{{{escape_latex(table.title)}}} "
+        rf"\label{{tab:{table.name.replace('_', '-')}}} \input{{{table.name}}} \end{{table*}}",
+        r"\begingroup\footnotesize\centering",
+        to_tabular(table) + r"\par\raggedright",
+        *(rf"\noindent {escape_latex(remark)}\par" for remark in table.remarks),
+        *(
+            rf"\noindent \textsuperscript{{{mark(index)}}} {escape_latex(note)}\par"
+            for index, note in enumerate(table.notes())
+        ),
+        r"\endgroup",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def to_tabular(table: Table) -> str:
+    """Formats the header and rows as a LaTeX tabular, shrunk where it would be wider than a line or higher
+    than a page. Rules separate the rows of each value of the first column, if one has several rows."""
     notes = table.notes()
+    values = [row[0].value for row in table.rows]
+    is_grouped = len(set(values)) < len(values)
 
     def shown(field: Field) -> str:
         text = escape_latex(field.text) if field.latex is None else field.latex
         return f"{text}\\textsuperscript{{{mark(notes.index(field.note))}}}" if field.note else text
 
     lines = [
-        r"% needs \usepackage{booktabs,longtable}",
-        r"\begingroup\footnotesize",
-        rf"\begin{{longtable}}{{{_alignment(table)}}}",
-        rf"\caption{{{escape_latex(table.title)}}}\label{{tab:{table.name.replace('_', '-')}}}\\",
-        rf"\toprule {_latex_head(table)} \midrule \endfirsthead",
-        rf"\toprule {_latex_head(table)} \midrule \endhead",
-        r"\bottomrule \endfoot",
+        r"\begin{adjustbox}{max width=\linewidth,max totalheight=0.8\textheight}",
+        rf"\begin{{tabular}}{{{_alignment(table)}}}",
+        rf"\toprule {_latex_head(table)} \midrule",
     ]
     for index, row in enumerate(table.rows):
-        if index and row[0].value != table.rows[index - 1][0].value:
+        if is_grouped and index and values[index] != values[index - 1]:
             lines.append(r"\midrule")
         lines.append(" & ".join(map(shown, row)) + r" \\")
-    lines.append(r"\end{longtable}")
-    lines += [rf"\noindent {escape_latex(remark)}\par" for remark in table.remarks]
-    lines += [
-        rf"\noindent \textsuperscript{{{mark(index)}}} {escape_latex(note)}\par"
-        for index, note in enumerate(notes)
-    ]
-    return "\n".join([*lines, r"\endgroup"]) + "\n"
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", r"\end{adjustbox}"])
 
 
-def to_tabular(table: Table) -> str:
-    """Formats only the header and rows as a LaTeX tabular, to be put into any table."""
-    lines = [" & ".join(escape_latex(field.text) for field in row) + r" \\" for row in table.rows]
-    return "\n".join([
-        r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{_alignment(table)}}}", r"\toprule",
-        _latex_head(table), r"\midrule", *lines, r"\bottomrule", r"\end{tabular}", "",
-    ])  # fmt: skip
+def pages(table: Table) -> list[Table]:
+    """Returns tables of at most PAGE_ROWS rows, since a float takes one page. They are cut where the value
+    of the first column changes, if one value has no more rows than that. The second one is NAME_2."""
+    parts: list[list[list[Field]]] = [[]]
+    for _, group in itertools.groupby(table.rows, key=lambda row: row[0].value):
+        rows = list(group)
+        for begin in range(0, len(rows), PAGE_ROWS):
+            some = rows[begin : begin + PAGE_ROWS]
+            if len(parts[-1]) + len(some) > PAGE_ROWS:
+                parts.append([])
+            parts[-1] += some
+    last = len(parts)
+    return [
+        replace(table, rows=rows, name=table.name + (f"_{number}" if number > 1 else ""),
+                title=f"{table.title} ({number} of {last})" if last > 1 else table.title)
+        for number, rows in enumerate(parts, start=1)
+    ]  # fmt: skip
 
 
 def _latex_head(table: Table) -> str:
@@ -222,13 +245,14 @@ FORMATS: dict[str, Callable[[Table], str]] = {
 
 
 def write(table: Table, folder: Path) -> list[Path]:
-    """Writes the table in every format and returns the files, Markdown first."""
+    """Writes the table in every format and returns the files, Markdown first. LaTeX has a file a page."""
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for extension, render in FORMATS.items():
-        file = folder / f"{table.name}{extension}"
-        file.write_text(render(table), encoding="utf-8")
-        files.append(file)
+        for part in pages(table) if extension == ".tex" else [table]:
+            file = folder / f"{part.name}{extension}"
+            file.write_text(render(part), encoding="utf-8")
+            files.append(file)
     return files
 
 

@@ -180,7 +180,7 @@ def test_any_solver_of_the_run_can_be_the_candidate() -> None:
 def test_latex_has_both_tables_and_the_figure() -> None:
     ranking, made = of(of_solvers({"new": 1.0, "a-b": 2.0}))
     text = as_latex(ranking, made)
-    assert text.count("\\toprule") == 2 and "a-b" in text and "\\includegraphics{rank.pdf}" in text
+    assert text.count("\\toprule") == 2 and "a-b" in text and "[width=\\linewidth]{rank.pdf}" in text
 
 
 def test_the_ranking_is_derived_again_without_measuring(

@@ -26,6 +26,7 @@ from results.console import ROOT
 from results.reader import ResultError, Run, read_run
 from results.table import (
     BLANK, FORMATS, Field, Table, four_digits, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
+    write,
 )  # fmt: skip
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
@@ -254,7 +255,30 @@ def test_csv_has_intervals_and_whole_notes() -> None:
 def test_latex_is_escaped_and_ruled_between_groups() -> None:
     text = to_latex(SMALL)
     assert r"a\_b \& 50\%" in text
-    assert text.count(r"\midrule") == 2 + 2  # two heads, two changes of the first column
+    assert text.count(r"\midrule") == 1 + 2  # the head, two changes of the first column
+
+
+def test_latex_is_the_content_of_a_float_and_its_first_line_shows_the_float() -> None:
+    first, *lines = to_latex(SMALL).splitlines()
+    assert first.startswith("% ") and r"\caption{A small table} \label{tab:small} \input{small}" in first
+    text = "\n".join(lines)
+    assert "longtable" not in text and "\\caption" not in text and "%" not in text.replace(r"\%", "")
+    for begin in re.findall(r"\\begin\{(\w+)\}", text):
+        assert text.count(rf"\begin{{{begin}}}") == text.count(rf"\end{{{begin}}}") == 1
+    assert text.index(r"\end{adjustbox}") < text.index(r"A \$ remark.") < text.index("first")
+
+
+def test_latex_has_a_file_for_each_page_of_whole_groups(tmp_path: Path) -> None:
+    row, names = [BLANK], ["a"] * 40 + ["b"] * 30 + ["c"] * 130
+    rows = [[Field(f"{name}{index}", name), *row] for index, name in enumerate(names)]
+    files = write(replace(SMALL, rows=rows), tmp_path)
+    latex = [file for file in files if file.suffix == ".tex"]
+    assert [file.name for file in latex] == ["small.tex", *(f"small_{number}.tex" for number in range(2, 6))]
+    texts = [file.read_text() for file in latex]
+    parts = [re.findall(r"^([abc]\d+) &", text, re.MULTILINE) for text in texts]
+    assert sum(parts, []) == [row[0].text for row in rows]
+    assert list(map(len, parts)) == [40, 30, 60, 60, 10]
+    assert r"\input{small_2}" in texts[1].splitlines()[0] and "(2 of 5)" in texts[1].splitlines()[0]
 
 
 def test_marks_go_on_after_z() -> None:
@@ -276,7 +300,7 @@ def test_a_table_without_a_title_has_no_heading() -> None:
 
 def test_markdown_and_latex_are_escaped_and_control_characters_shown() -> None:
     assert r"c\|d" in to_markdown(SMALL) and r"A \$ remark." in to_markdown(SMALL)
-    assert r"a\_b \& 50\% & 1.5 [1, 2] \\" in to_tabular(SMALL)
+    assert r"a\_b \& 50\% & 1.5 [1, 2]\textsuperscript{a} \\" in to_tabular(SMALL)
     odd = replace(SMALL, rows=[[Field("\x1b[2J"), Field("1")]])
     assert "\x1b" not in to_text(odd) and r"\x1b[2J" in to_text(odd)
 
