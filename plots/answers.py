@@ -37,7 +37,7 @@ def table(run: Run) -> Table:
             "First answer: preparation (conversion of the mesh, factorisation) and a solve; each "
             "further: what has to be built again for another source, and a solve. CPU time, and "
             "wall time of solvers with several threads: medians over sources and repetitions. "
-            "Ratios are paired by source and repetition: geometric means with 95% bootstrap "
+            "Ratios are paired by source and repetition: geometric means. In brackets: 95% bootstrap "
             "intervals. Errors are relative, against the reference: the largest, and the median "
             "over sources of the mean over vertices; wrong answers have no time, but errors.",
         ],
@@ -81,7 +81,7 @@ def _row(run: Run, mesh: str, solver: str, base: str) -> list[Field]:
 def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Field]:
     """Returns the fields of the solver's time and of its ratio to the base's time."""
     estimate = median(by_source(times(run, mesh, solver, time)))
-    shown = time_unit([estimate.value]).text(estimate.value)
+    shown = time_unit([estimate.value]).interval(estimate)
     pairs = ratios(run, mesh, solver, base, time)
     if not pairs:
         return [estimate_field(estimate, shown), Field(ABSENT)]

@@ -25,6 +25,7 @@ from results.table import Table
 TABLES: dict[str, Callable[[Run], Table]] = {
     "summary": summary.overall,
     "summary_by_mesh": summary.by_mesh,
+    "times": summary.times,
     "every_solver": summary.every,
     "table_thesis": table_thesis.table,
     "strip_depth": strip_depth.table,
@@ -81,7 +82,7 @@ OF = "_of_"
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 WITH_SECONDS = {
-    "summary_by_mesh", "every_solver", "table_thesis", "performance", "table_growth",
+    "summary_by_mesh", "times", "every_solver", "table_thesis", "performance", "table_growth",
     "table_growth_exponents", "answers", "break_even_numbers", "phases", "time_over_vertices",
     "break_even", "frontier", "which_to_take", "which_to_take_mean", "path_numbers",
 }  # fmt: skip

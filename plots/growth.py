@@ -7,7 +7,7 @@ surfaces differ even at the same size, so a line through them means little.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 from matplotlib.lines import Line2D
 
@@ -16,10 +16,10 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    PROPAGATIONS, TIME, Measure, TimeUnit, columns, count, median_of, time_unit,
+    PROPAGATIONS, TIME, TimeUnit, columns, count, interval_field, median_of, time_unit,
 )  # fmt: skip
 from results.reader import Mesh, ResultError, Run
-from results.statistics import power_law
+from results.statistics import Estimate, power_law
 from results.table import Field, Table
 
 LEAST_MESHES = 3
@@ -30,9 +30,12 @@ LEAST_SPAN = 4
 @dataclass(frozen=True)
 class Point:
     mesh: Mesh
-    time: float
-    """Seconds."""
+    seconds: Estimate
     windows: float
+
+    @property
+    def time(self) -> float:
+        return self.seconds.value
 
     @property
     def nanoseconds_a_window(self) -> float:
@@ -67,10 +70,6 @@ def series(run: Run) -> list[Series]:
 
     @raises ResultError if no solver has such a series"""
 
-    def middle(mesh: str, solver: str, measure: Measure) -> float:
-        median = median_of(run, mesh, solver, measure)
-        return median.value if median else 0
-
     surfaces: dict[str, list[Mesh]] = {}
     for mesh in sorted(run.meshes.values(), key=lambda mesh: mesh.vertices):
         surfaces.setdefault(surface(mesh), []).append(mesh)
@@ -78,8 +77,10 @@ def series(run: Run) -> list[Series]:
     for name, meshes in surfaces.items():
         for solver in columns(run) if len(meshes) >= LEAST_MESHES else ():
             points = [
-                Point(m, middle(m.name, solver, TIME), middle(m.name, solver, PROPAGATIONS))
-                for m in meshes
+                Point(mesh, time, windows.value)
+                for mesh in meshes
+                if (time := median_of(run, mesh.name, solver, TIME))
+                and (windows := median_of(run, mesh.name, solver, PROPAGATIONS))
             ]
             measured = [point for point in points if point.time > 0 and point.windows > 0]
             sizes = {point.mesh.vertices for point in measured}
@@ -111,7 +112,8 @@ def table(run: Run) -> Table:
             for point in each.points
         ],
         remarks=[
-            "Medians over sources and repetitions. Time per window: CPU time of a timed solve over "
+            "Medians over sources and repetitions, times with 95% bootstrap intervals. Time per window: CPU "
+            "time of a timed solve over "
             "the windows that the recorded solve propagates; beside it, that of the smallest mesh.",
         ],
     )
@@ -140,11 +142,16 @@ def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Fie
         Field(solver),
         Field(point.mesh.label),
         Field(count(point.mesh.vertices), point.mesh.vertices),
-        Field(unit.show(unit.scale * point.time), unit.scale * point.time),
+        _in_unit(point.seconds, unit),
         Field(count(point.windows), point.windows),
         Field(f"{each:.1f}", each),
         Field(f"{share:.2f}", share),
     ]
+
+
+def _in_unit(seconds: Estimate, unit: TimeUnit) -> Field:
+    ends = (unit.scale * each for each in astuple(seconds))
+    return interval_field(Estimate(*ends), unit.show)
 
 
 def _exponents(series: Series) -> list[Field]:
@@ -172,7 +179,8 @@ def figure(run: Run) -> Drawing:
         axes, look = panels[surfaces.index(each.surface)], styles[each.solver]
         law = power_law(each.vertices, each.times)
         mark = {"color": look.color, "marker": look.marker, "markersize": 4.5}
-        axes.plot(each.vertices, each.times, linestyle="", **mark)
+        seconds = [point.seconds for point in each.points]
+        axes.errorbar(each.vertices, each.times, yerr=style.bars(seconds), linestyle="", elinewidth=1, **mark)
         ends = [each.vertices[0], each.vertices[-1]]
         axes.plot(ends, [law.at(n) for n in ends], color=look.color, linestyle=look.line)
         label = f"$n^{{{law.exponent:.2f}}}$ [{law.low:.2f}, {law.high:.2f}]"
@@ -192,7 +200,7 @@ def figure(run: Run) -> Drawing:
     return Drawing(
         title="Time against vertices",
         caption=sentences(
-            "Medians over sources and repetitions of each solver that counts windows, on "
+            "Medians over sources and repetitions of each solver that counts windows, with 95% bootstrap intervals, on "
             f"{len(meshes)} meshes of {of}; lines are least squares of the logarithms, with "
             "95% intervals of the exponent. They describe these meshes and no bound.",
             f"Without: {', '.join(short)} (fewer than {LEAST_MESHES} sizes with a time and a "

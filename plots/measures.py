@@ -38,6 +38,10 @@ class TimeUnit:
     def text(self, seconds: float) -> str:
         return f"{self.show(self.scale * seconds)} {self.name}"
 
+    def interval(self, seconds: Estimate) -> str:
+        """Returns "14.7 [14.5, 15.0] ms"."""
+        return f"{interval(seconds, lambda time: self.show(self.scale * time))} {self.name}"
+
 
 def time_unit(seconds: Sequence[float]) -> TimeUnit:
     """Returns the largest unit in which the least time is at least 0.1, or the greatest at least 100, so
@@ -89,7 +93,7 @@ COUNTING = "How windows are counted: docs/metrics.md, Counting windows."
 
 TIME = Measure("cpu_time", "Time", str, "time_s", scale=1e-3, spread=True)
 WALL_TIME = Measure("real_time", "Wall time", str, scale=1e-3, spread=True)
-PREPARATION = Measure("prepare_time", "Preparation", str, scale=1e-3)
+PREPARATION = Measure("prepare_time", "Preparation", str, scale=1e-3, spread=True)
 TIMES = [TIME, WALL_TIME, PREPARATION]
 """In seconds; measures_of gives them a unit for each mesh."""
 SPACE = Measure("space_thesis_mb", "Space (MB), the thesis's rule", megabytes, "space_mb")

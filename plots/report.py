@@ -29,7 +29,7 @@ TEMPLATES = Environment(
     undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
 )  # fmt: skip
 CSS_DPI = 96
-SECTION_OF = {"summary_by_mesh": "results", "table_thesis": "thesis", "every_solver": "long",
+SECTION_OF = {"summary_by_mesh": "results", "table_thesis": "thesis", "times": "long", "every_solver": "long",
               "summary": "long"}  # fmt: skip
 """Section of a table; other tables are in "tables"."""
 FIRST = ("peers_overview", "overview")

@@ -1,5 +1,5 @@
-"""The results of a run in three tables: a row per solver, ratios by mesh, and every solver on every
-mesh. All ratios of times are to the fastest exact solver."""
+"""The results of a run in four tables: a row per solver, ratios and seconds by mesh, and every solver on
+every mesh. All ratios of times are to the fastest exact solver."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from plots.measures import (
-    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, errors_of, failure, median_of,
-    our_field, partial_failure, time_unit, with_promise,
+    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, TimeUnit, columns, count, errors_of, failure, interval,
+    interval_field, median_of, our_field, partial_failure, time_unit, with_promise,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes, timed_elsewhere
 from plots.ratios import (
@@ -17,13 +17,15 @@ from plots.ratios import (
 )  # fmt: skip
 from results.pairs import Floats
 from results.reader import OK, Mesh, ResultError, Run
-from results.table import BLANK, Field, Table, estimate_field
+from results.statistics import Estimate
+from results.table import BLANK, Field, Table, decimals, estimate_field
 
 ALL = "all meshes"
 PAIRED = (
     "Ratios of times are paired by mesh, source and repetition; a mean is geometric, over the meshes "
     "that have both times, each of which counts once."
 )
+INTERVALS = "In brackets: 95% bootstrap intervals over sources and repetitions."
 
 
 def overall(run: Run) -> Table:
@@ -85,11 +87,11 @@ def by_mesh(run: Run) -> Table:
         return solver != base, not run.solvers[solver].exact, mean(of[solver]) if solver in of else np.inf
 
     solvers = sorted(columns(run), key=place)
-    means = [_mean(of[s], len(run.meshes)) if s in of else BLANK for s in solvers[1:]]
+    means = [_mean(run, base, s, of[s]) if s in of else BLANK for s in solvers[1:]]
     rows = [[Field(ALL), BLANK, BLANK, *means]] if len(run.meshes) > 1 else []
     for mesh in ordered_meshes(run):
         time = median_of(run, mesh.name, base, TIME)
-        own = Field(_time(time.value), time.value) if time else _missing(run, mesh, base)
+        own = _own(time) if time else _missing(run, mesh, base)
         rows.append([
             Field(mesh.label, mesh.name),
             Field(count(mesh.vertices), mesh.vertices),
@@ -102,17 +104,62 @@ def by_mesh(run: Run) -> Table:
         header=["Mesh", "Vertices", f"{base}, time", *(_name(run, s).text for s in solvers[1:])],
         text_columns=1,
         rows=rows,
-        remarks=[f"CPU time of one solve without preparation. {PAIRED}", *timed_elsewhere(run), *left_out(run)],
-    )
+        remarks=[f"CPU time of one solve without preparation. {PAIRED} {INTERVALS}", *timed_elsewhere(run),
+                 *left_out(run)],
+    )  # fmt: skip
 
 
-def _mean(ratios: Floats, meshes: int) -> Field:
-    few = f" (on {len(ratios)})" if len(ratios) < meshes else ""
-    return Field(number(mean(ratios)) + few, mean(ratios))
+def times(run: Run) -> Table:
+    """Returns a table of meshes by solvers in seconds. @raises ResultError if no solver has a time"""
+    if not fastest_exact(run):
+        raise ResultError(f"{run.file}: no verified time")
+    solvers = columns(run)
+    return Table(
+        name="times",
+        title="Time in seconds",
+        header=["Mesh", "Vertices", *(_name(run, solver).text for solver in solvers)],
+        text_columns=1,
+        rows=[
+            [
+                Field(mesh.label, mesh.name), Field(count(mesh.vertices), mesh.vertices),
+                *(_seconds(run, mesh, solver) for solver in solvers),
+            ]
+            for mesh in ordered_meshes(run)
+        ],
+        remarks=[
+            "CPU time of one solve without preparation: medians over sources and repetitions. "
+            f"{INTERVALS}",
+            *timed_elsewhere(run),
+            *left_out(run),
+        ],
+    )  # fmt: skip
 
 
-def _time(seconds: float) -> str:
-    return time_unit([seconds]).text(seconds)
+def _seconds(run: Run, mesh: Mesh, solver: str) -> Field:
+    time = median_of(run, mesh.name, solver, TIME)
+    if time is None:
+        return _missing(run, mesh, solver)
+    unit = TimeUnit("s", 1, decimals(time.value, 3))
+    return replace(interval_field(time, unit.show), note=partial_failure(run, mesh.name, solver))
+
+
+def _mean(run: Run, base: str, solver: str, ratios: Floats) -> Field:
+    few = f" (on {len(ratios)})" if len(ratios) < len(run.meshes) else ""
+    short = number(mean(ratios)) + few
+    found = over_meshes(time_over(base), run, list(run.meshes), solver)
+    if found is None:
+        return Field(short, mean(ratios))
+    shown = interval(found.estimate, number)
+    return replace(estimate_field(found.estimate, shown + few), title=shown, short=short)
+
+
+def _own(seconds: Estimate) -> Field:
+    short = time_unit([seconds.value]).text(seconds.value)
+    return replace(estimate_field(seconds, _time(seconds)), title=_time(seconds), short=short)
+
+
+def _time(seconds: Estimate) -> str:
+    return time_unit([seconds.value]).interval(seconds)
 
 
 def _missing(run: Run, mesh: Mesh, solver: str) -> Field:
@@ -125,13 +172,13 @@ def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Field:
     time = median_of(run, mesh.name, solver, TIME)
     if time is None:
         return _missing(run, mesh, solver)
-    shown, failed = _time(time.value), partial_failure(run, mesh.name, solver)
+    shown, failed = _time(time), partial_failure(run, mesh.name, solver)
     estimate = ratio.mean(run, mesh.name, solver)
     if estimate is None:
         return Field(shown, title=failed)
     words = [shown, f"ratio {ratio.interval(estimate)}", failed]
     return replace(
-        estimate_field(estimate, number(estimate.value)), title="; ".join(filter(None, words))
+        interval_field(estimate, number), title="; ".join(filter(None, words)), short=number(estimate.value)
     )
 
 
@@ -147,7 +194,7 @@ def every(run: Run) -> Table:
         remarks=[
             "CPU time of one solve without preparation, window propagations, measured peak memory "
             "of the solver: medians over sources and repetitions. Ratios of times are paired by "
-            "source and repetition, with 95% bootstrap intervals.",
+            f"source and repetition. {INTERVALS}",
             *timed_elsewhere(run),
             *left_out(run),
         ],
@@ -166,7 +213,7 @@ def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Field]]:
         else:
             note = partial_failure(run, mesh.name, solver)
             fields = [
-                estimate_field(times[solver], unit.text(times[solver].value), note),
+                estimate_field(times[solver], unit.interval(times[solver]), note),
                 ratio.field(run, mesh.name, solver),
                 *(our_field(run, mesh.name, solver, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)),
             ]

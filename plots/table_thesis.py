@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from statistics import geometric_mean
+from statistics import geometric_mean as mean
 
-from plots.measures import COUNTING
+from plots.measures import COUNTING, interval
 from plots.models import groups_of_thesis, relation
 from plots.ratios import BY_KEY, Ratio
 from results import published
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
-from results.table import BLANK, Field, Table, without_empty_columns
+from results.statistics import Estimate, geometric_mean
+from results.table import BLANK, Field, Table, estimate_field, without_empty_columns
 
 SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
 
@@ -20,9 +21,14 @@ SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
 class Pair:
     """Geometric means over the models that have both numbers."""
 
-    ours: float
+    estimate: Estimate
+    """Ours, with its interval."""
     thesis: float
     models: int
+
+    @property
+    def ours(self) -> float:
+        return self.estimate.value
 
 
 def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
@@ -30,14 +36,14 @@ def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
     pairs = {}
     for solver in THESIS_SOLVERS:
         both = [
-            (ours.value, thesis)
+            (sample, thesis)
             for mesh in meshes
-            if (ours := ratio.mean(run, mesh.name, solver))
+            if (sample := ratio.measured(run, mesh.name, solver))
             and (thesis := ratio.published(str(mesh.thesis_model), solver)) is not None
         ]
         if both:
-            ours_of, thesis_of = zip(*both, strict=True)
-            pairs[solver] = Pair(geometric_mean(ours_of), geometric_mean(thesis_of), len(both))
+            samples, thesis_of = zip(*both, strict=True)
+            pairs[solver] = Pair(geometric_mean(samples), mean(thesis_of), len(both))
     return pairs
 
 
@@ -60,7 +66,8 @@ def table(run: Run) -> Table:
         text_columns=2,
         rows=rows,
         remarks=[
-            f"Geometric means over {', '.join(listed)}, if both numbers exist; places are by time. "
+            f"Geometric means over {', '.join(listed)}, if both numbers exist, with 95% bootstrap intervals of "
+            "our times; places are by time. "
             "Stand-ins are other meshes than the thesis measured: what is published "
             "is context only.",
             "Ratios of time differ from the thesis's for reasons of the programs: here edge-based takes several "
@@ -79,7 +86,7 @@ def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Field]]:
         fewest = min(pairs[solver].models for pairs in (speed, windows) if solver in pairs)
         note = f"{solver}: on {fewest} of {len(meshes)} models." if fewest < len(meshes) else ""
         fields = [Field("" if rows else group, group), Field(solver, note=note)]
-        fields += _means(speed.get(solver))
+        fields += _means(speed.get(solver), spread=True)
         for side in ("ours", "thesis"):
             order = sorted(speed, key=lambda one: float(getattr(speed[one], side)))
             place = order.index(solver) + 1 if solver in speed else None
@@ -91,7 +98,13 @@ def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Field]]:
     return rows
 
 
-def _means(pair: Pair | None) -> list[Field]:
+def _means(pair: Pair | None, *, spread: bool = False) -> list[Field]:
+    """@param spread whether the interval is printed; CSV always has it"""
     if pair is None:
         return [BLANK, BLANK]
-    return [Field(f"{mean:.2f}", mean) for mean in (pair.ours, pair.thesis)]
+    shown = interval(pair.estimate, _two_decimals) if spread else _two_decimals(pair.ours)
+    return [estimate_field(pair.estimate, shown), Field(_two_decimals(pair.thesis), pair.thesis)]
+
+
+def _two_decimals(value: float) -> str:
+    return f"{value:.2f}"

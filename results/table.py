@@ -29,6 +29,8 @@ class Field:
     """LaTeX code to write instead of the escaped text."""
     title: str = ""
     """Tooltip on an HTML page."""
+    short: str | None = None
+    """Text on an HTML page, without the interval; None for the text."""
 
 
 BLANK = Field("")

@@ -1,6 +1,6 @@
 """The tables of the golden run, in every format. They contain all failures.
 
-After an intended change: python3 -m plots summary summary_by_mesh every_solver table_thesis \\
+After an intended change: python3 -m plots summary summary_by_mesh times every_solver table_thesis \\
   strip_depth performance ratios claims solvers --run tests/plots/golden/run \\
   --out tests/plots/golden/tables
 """
@@ -20,7 +20,7 @@ from synthetic import Changed
 
 from plots import performance, ratio_tables, ratios, solvers, strip_depth, summary
 from plots.catalogue import TABLES
-from plots.measures import percent, time_unit
+from plots.measures import TIME, median_of, percent, time_unit
 from results import published
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
@@ -31,7 +31,7 @@ from results.table import (
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
 NAMES = [
-    "summary", "summary_by_mesh", "every_solver", "table_thesis", "strip_depth", "performance",
+    "summary", "summary_by_mesh", "times", "every_solver", "table_thesis", "strip_depth", "performance",
     "ratios", "claims", "solvers",
 ]  # fmt: skip
 
@@ -53,6 +53,28 @@ def test_tables_are_the_golden_ones(golden_run: Run, golden_tables: Path, name: 
     table = TABLES[name](golden_run)
     for extension, render in FORMATS.items():
         assert render(table) == (golden_tables / f"{name}{extension}").read_text(), extension
+
+
+def test_every_time_of_a_mesh_is_in_seconds_in_one_table(golden_run: Run) -> None:
+    table = summary.times(golden_run)
+    assert len(table.header) == 2 + len(golden_run.solvers)
+    fields = [field for row in table.rows for field in row[2:] if isinstance(field.value, float)]
+    for row, mesh in zip(table.rows, (row[0].value for row in table.rows), strict=True):
+        time = median_of(golden_run, str(mesh), "mmp", TIME)
+        assert time and row[table.header.index("mmp")].value == time.value
+    assert len(fields) == 18  # of 21: two are not supported, one is wrong
+
+
+@pytest.mark.parametrize("name", ["summary_by_mesh", "times", "every_solver", "performance", "answers"])
+def test_a_time_stands_beside_its_interval(golden_run: Run, name: str) -> None:
+    """A text with the value of a time without its ends would be read as exact."""
+    table = TABLES[name](golden_run)
+    for row in table.rows:
+        if name == "performance" and not re.match(r"(Time|Wall time|Preparation) \(\w+\)$", row[1].text):
+            continue
+        columns = {"every_solver": (2, 3), "answers": (4, 5, 6, 7)}.get(name, range(2, len(row)))
+        timed = [row[i] for i in columns if row[i].low is not None]
+        assert all(re.search(r" \[[\d.,]+, [\d.,]+\]", field.text) for field in timed), [f.text for f in timed]
 
 
 @pytest.mark.parametrize("name", ["strip_depth", "ratios"])
@@ -173,7 +195,7 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
         ]
 
     run = read_run(changed(change))
-    compared = {"table_thesis", "summary_by_mesh"}  # they contain numbers only
+    compared = {"table_thesis", "summary_by_mesh", "times"}  # they contain numbers only
     assert all(TABLES[name](run).name == name for name in NAMES if name not in compared)
     table = performance.table(run)
     assert field_of(table, "horse", "Time (s)", "mmp").text == "crashed"
