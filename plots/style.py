@@ -19,6 +19,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from results.statistics import Estimate
@@ -86,8 +87,13 @@ _SPARE = [
     SolverStyle("#44AA99", ">", (0, (4, 1))),
     SolverStyle("#661100", "8", (0, (7, 1, 1, 1))),
     SolverStyle("#6699CC", "H", (0, (1, 1, 4, 1))),
+    SolverStyle("#AA4499", "P", (0, (2, 1))),
+    SolverStyle("#117733", "X", (0, (9, 1, 2, 1))),
+    SolverStyle("#A65628", "<", (0, (6, 1))),
 ]
 """Styles of the other solvers in the order of the run. Further settings of a solver come last."""
+PALER = 0.65
+"""Share of a spare colour that remains, beside white, each time the spare styles start again."""
 
 
 def plain(name: str) -> str:
@@ -107,10 +113,12 @@ def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
 
 
 def _spare(number: int) -> SolverStyle:
-    """Returns a spare style. After the last colour, the colours start again with other marks."""
-    count = len(_SPARE)
-    style = _SPARE[number % count]
-    return replace(style, marker=_SPARE[(number + number // count) % count].marker)
+    """Returns a spare style. After the last colour, the colours start again paler and with other marks."""
+    again, place = divmod(number, len(_SPARE))
+    style = _SPARE[place]
+    share = PALER**again
+    color = to_hex([1 - share * (1 - part) for part in to_rgb(style.color)])
+    return replace(style, color=color, marker=_SPARE[(place + again) % len(_SPARE)].marker)
 
 
 PUBLISHED: dict[str, Any] = {

@@ -67,6 +67,7 @@ def test_names_that_have_no_style_of_their_own_get_different_ones() -> None:
     names = [f"avtp?lambda={number}" for number in range(16)]
     styles = solver_styles(["mmp", *names])
     assert len({(one.color, one.marker) for one in styles.values()}) == len(names) + 1
+    assert len({one.color.lower() for one in styles.values()}) == len(names) + 1
 
 
 def test_settings_of_one_solver_leave_the_others_their_styles() -> None:
