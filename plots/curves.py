@@ -29,6 +29,9 @@ do not cover each other."""
 THICKEST, THINNEST = 2.6, 0.9
 """Widths of the first and the last curve in points. A curve is visible beside a thinner one above it."""
 
+TITLE_CHARACTERS = 40
+"""Length that a line above a panel of half the page's width does not reach."""
+
 Curve = Callable[[Recording, str], tuple[Floats, Floats]]
 
 
@@ -95,7 +98,9 @@ def spread(run: Run) -> Drawing:
 
 
 def title(mesh: Mesh) -> str:
-    return f"{two_lines(mesh)}, {mesh.vertices:,} vertices"
+    name, size = two_lines(mesh), f"{mesh.vertices:,} vertices"
+    together = len(name.rpartition("\n")[2]) + len(size) < TITLE_CHARACTERS
+    return f"{name}, {size}" if together else f"{name},\n{size}"
 
 
 def levels_and_windows(recording: Recording, solver: str) -> tuple[Floats, Floats]:

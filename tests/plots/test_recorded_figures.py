@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
+from matplotlib.text import Text
 from synthetic import SPREAD, changed_rows, without_recordings
 
 from plots import catalogue, isoline_figure, isolines, paths, report, style, wavefronts
@@ -135,6 +136,19 @@ def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
     for line in axes[0].lines:
         assert line.get_ydata().mean() == pytest.approx(SPREAD[line.get_label()], rel=1e-6)
         assert line.get_xdata()[-1] == pytest.approx(1)
+
+
+def test_the_title_of_a_stand_in_is_not_cut(run: Run) -> None:
+    models = {"rocker-arm": "asian dragon", "flat-grid": "cervino terrain"}
+    meshes = {key: replace(mesh, thesis_model=models.get(key), stand_in=True, vertices=1_575_425)
+              for key, mesh in run.meshes.items()}  # fmt: skip
+    figure = FIGURES["wavefront_quality_over_progress"](replace(run, meshes=meshes)).figure
+    figure.canvas.draw()
+    titles = [title for axes in figure.axes for title in axes.texts + axes.get_children()
+              if isinstance(title, Text) and "vertices" in title.get_text()]  # fmt: skip
+    boxes = [title.get_window_extent() for title in titles]
+    assert len(boxes) == 2 and all(0 <= box.x0 and box.x1 <= figure.bbox.width for box in boxes)
+    assert not boxes[0].overlaps(boxes[1])
 
 
 def test_the_caption_says_whether_mmp_and_ich_are_the_smoothest(run: Run) -> None:
