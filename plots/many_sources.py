@@ -12,10 +12,10 @@ from plots import style
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import ERROR, columns, count, percent
-from plots.ratios import fastest_exact, mean, number
+from plots.measures import ERROR, columns, count, interval_field, percent
+from plots.ratios import fastest_exact, number
 from results.reader import ResultError, Row, Run, Source
-from results.statistics import Estimate, median
+from results.statistics import Estimate, geometric_mean_of_ratios
 from results.table import BLANK, Field, Table
 
 RANDOM = "random:"
@@ -27,8 +27,8 @@ class Point:
     """Answers of a solver from one number of sources, over the meshes."""
 
     sources: int
-    time: float
-    """Geometric mean of the ratios to the base's time from one source."""
+    time: Estimate
+    """Geometric mean over the meshes of the ratios to the base's time from one source."""
     largest: float
     """Largest relative error; `mean` is the mean of the mean relative errors."""
     mean: float
@@ -53,8 +53,8 @@ def answers_of(run: Run, mesh: str, solver: str, source: Source) -> list[Row]:
     return [row for row in rows if row.source == source and row.number("cpu_time") is not None]
 
 
-def seconds(rows: list[Row]) -> Estimate:
-    return median([[1e-3 * row.time for row in rows]])
+def times(rows: list[Row]) -> list[float]:
+    return [row.time for row in rows]
 
 
 def error(rows: list[Row], key: str) -> float:
@@ -80,10 +80,10 @@ def points(run: Run, solver: str, base: str) -> list[Point]:
         bases = [answers_of(run, mesh, base, by_mesh[mesh][1]) for mesh in meshes]
         if not meshes or not all(answers) or not all(bases):
             continue
-        ratios = [seconds(a).value / seconds(b).value for a, b in zip(answers, bases, strict=True)]
+        pairs = [(times(below), times(own)) for own, below in zip(answers, bases, strict=True)]
         means = [error(rows, "mean_relative_error") for rows in answers]
         largest = max(error(rows, "max_relative_error") for rows in answers)
-        found.append(Point(size, mean(ratios), largest, sum(means) / len(means)))
+        found.append(Point(size, geometric_mean_of_ratios(pairs, redraw_cells=False), largest, sum(means) / len(means)))
     return found
 
 
@@ -100,7 +100,8 @@ def figure(run: Run) -> Drawing:
     looks = style.solver_styles(run.solvers)
     picture = style.new_figure(3.6 + 0.11 * len(found), width=9)
     panels = picture.subplots(1, 3 if inexact else 1, squeeze=False)[0]
-    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, found, lambda p: p.time)
+    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, found, lambda p: p.time.value,
+          lambda p: p.time)  # fmt: skip
     if inexact:
         _draw(panels[1], "mean relative error", looks, inexact, lambda p: p.mean)
         _draw(panels[2], "largest relative error", looks, inexact, lambda p: p.largest)
@@ -116,7 +117,8 @@ def figure(run: Run) -> Drawing:
         caption=sentences(
             f"Distances to the nearest of several vertices, chosen at random, on {len(run.meshes)} "
             f"meshes. Left: the time of a solve without preparation, over that of {base} from one "
-            "source: medians over repetitions, geometric means over the meshes. Middle and right: "
+            "source: medians over repetitions, geometric means over the meshes, with 95% bootstrap intervals over "
+            "repetitions. Middle and right: "
             "the mean of the mean errors, and the largest error on any mesh, of solvers that are "
             "not exact. A source with a computed distance other than 0 has no relative error.",
         ),
@@ -126,14 +128,16 @@ def figure(run: Run) -> Drawing:
 
 def _draw(
     axes: Axes, label: str, looks: dict[str, style.SolverStyle], found: dict[str, list[Point]],
-    value_of: Callable[[Point], float],
+    value_of: Callable[[Point], float], estimate_of: Callable[[Point], Estimate] | None = None,
 ) -> None:  # fmt: skip
     for solver, of in found.items():
-        drawn = [(p.sources, value_of(p)) for p in of if value_of(p) > 0]
+        drawn = [point for point in of if value_of(point) > 0]
         if drawn:
             look = looks[solver]
-            axes.plot(*zip(*drawn, strict=True), color=look.color, linestyle=look.line,
-                      marker=look.marker, markersize=4.5)  # fmt: skip
+            axes.errorbar([p.sources for p in drawn], [value_of(p) for p in drawn],
+                          yerr=style.bars([estimate_of(p) for p in drawn]) if estimate_of else None,
+                          color=look.color, linestyle=look.line, elinewidth=1, marker=look.marker,
+                          markersize=4.5)  # fmt: skip
     logarithmic(axes.xaxis, axes.yaxis)
     axes.set_title(label, fontsize=9.5)
     axes.grid()
@@ -175,7 +179,7 @@ def table(run: Run) -> Table:
         rows=rows,
         remarks=[
             "Time of a solve without preparation over that of the base from the same sources: medians "
-            "over repetitions. Errors are relative; a source with a computed distance other than 0 has none.",
+            "over repetitions, with 95% bootstrap intervals. Errors are relative; a source with a computed distance other than 0 has none.",
         ],
     )
 
@@ -187,5 +191,5 @@ def _numbers(rows: list[Row], bases: list[Row]) -> list[Field]:
     errors = [Field(ERROR.show(largest), largest), Field(ERROR.show(means), means)]
     if not bases:
         return [Field("-"), *errors]
-    ratio = seconds(rows).value / seconds(bases).value
-    return [Field(number(ratio), ratio), *errors]
+    ratio = geometric_mean_of_ratios([(times(bases), times(rows))])
+    return [interval_field(ratio, number), *errors]

@@ -13,7 +13,7 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import ratio_axis
 from plots.measures import measured_solvers
-from plots.ratios import BELOW_1, BY_KEY, Ratio, fastest_exact, mean, number, over_each_mesh, time_over
+from plots.ratios import BELOW_1, BY_KEY, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over
 from results.reader import Mesh, ResultError, Run
 
 KINDS = {"the thesis's model": "full", "stand-in for one": "none", "other mesh": "small"}
@@ -42,7 +42,7 @@ def figure(run: Run) -> Drawing:
     picture = style.new_figure(1.2 + 0.4 * len(solvers), width=4 * len(panels))
     axes = picture.subplots(1, len(panels), squeeze=False)[0]
     for one, (ratio, means) in zip(axes, panels, strict=True):
-        _draw(one, run, means)
+        _draw(one, run, ratio, means)
         one.margins(x=0.08)
         ratio_axis(one.xaxis)
         one.set_xlabel(style.plain(ratio.label[0].lower() + ratio.label[1:]))
@@ -66,7 +66,7 @@ def figure(run: Run) -> Drawing:
             "Geometric means of each exact solver's CPU time over that of "
             f"{base}{' (left), and of window propagations over the window limit (right)' * both_panels}. "
             "A mark is one mesh; ratios are paired by source and repetition. The number is the mean over the meshes "
-            "that have a mark.",
+            "that have a mark; the line is its 95% bootstrap interval over sources and repetitions.",
             BELOW_1
             if both_panels
             else "No window propagations over the window limit: the run has no solver of the MMP family.",
@@ -95,7 +95,7 @@ def _mark(kind_of_mesh: str, color: str) -> dict[str, object]:
     }
 
 
-def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
+def _draw(axes: Axes, run: Run, ratio_of: Ratio, means: dict[str, dict[str, float]]) -> None:
     styles = style.solver_styles(run.solvers)
     for place, (solver, by_mesh) in enumerate(means.items()):
         for name, ratio in by_mesh.items():
@@ -103,6 +103,9 @@ def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
         if by_mesh:
             middle = mean(list(by_mesh.values()))
             axes.plot([middle], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
+            found = over_meshes(ratio_of, run, list(by_mesh), solver)
+            if found:
+                axes.errorbar([middle], [place], xerr=style.bars([found.estimate]), color=style.INK, elinewidth=1)
             axes.annotate(
                 number(middle), (middle, place), (0, 10), textcoords="offset points", ha="center"
             )

@@ -22,7 +22,7 @@ from plots.ratios import fastest_exact, mean, number
 from results import pairs
 from results.console import ROOT
 from results.reader import ResultError, Run
-from results.statistics import geometric_mean, median
+from results.statistics import Estimate, geometric_mean, median
 
 OURS, EXACT, OTHER = "of this project", "of others, exact or within 1e-6", "of others, approximate"
 GROUPS = {OURS: "#000000", EXACT: "#0072B2", OTHER: "#D55E00"}
@@ -40,6 +40,8 @@ class Line:
     group: str
     ratios: list[float]
     """Ratios to the base's time, one per mesh."""
+    over_meshes: Estimate | None
+    """Their geometric mean; None without a ratio."""
     accuracy: str
 
     @property
@@ -70,7 +72,7 @@ def figure(run: Run) -> Drawing:
         caption=sentences(
             f"Time of a first answer, preparation and solve, over that of {base}: a dot a mesh, paired "
             "by source and repetition; the bar and the number are the geometric mean over the meshes "
-            "that have a verified answer. On the right, the guarantee of the distances or, where they are "
+            "that have a verified answer, the line its 95% bootstrap interval over sources and repetitions. On the right, the guarantee of the distances or, where they are "
             "not exact, their relative errors: the mean over vertices and meshes, and the largest.",
             f"Left out: {', '.join(absent)}, with times on few of the meshes or none." if absent else "",
             footer(run) + ".",
@@ -80,11 +82,9 @@ def figure(run: Run) -> Drawing:
 
 
 def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
-    ratios = [
-        geometric_mean([sample]).value
-        for mesh in run.meshes
-        if (sample := pairs.ratios(run, mesh, solver, base, pairs.first))
-    ]
+    each = [pairs.ratios(run, mesh, solver, base, pairs.first) for mesh in run.meshes]
+    samples = [sample for sample in each if sample]
+    ratios = [geometric_mean([sample]).value for sample in samples]
     about = run.solvers[solver]
     near = about.exact or (about.error_bound or 1) <= NEARLY
     group = OURS if solver not in public else EXACT if near else OTHER
@@ -96,7 +96,7 @@ def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
         accuracy = f"errors: mean {percent(sum(means) / len(means))}, largest {percent(max(largest))}"
     if len(ratios) < len(run.meshes):
         accuracy += f"; on {len(ratios)} of {len(run.meshes)} meshes"
-    return Line(solver, group, ratios, accuracy)
+    return Line(solver, group, ratios, geometric_mean(samples) if samples else None, accuracy)
 
 
 def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
@@ -107,6 +107,8 @@ def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
         color = GROUPS[line.group]
         axes.plot(line.ratios, [place] * len(line.ratios), "o", color=color, markersize=3, alpha=0.55)
         axes.plot([line.mean], [place], "|", color=color, markersize=14, markeredgewidth=1.8)
+        if line.over_meshes:
+            axes.errorbar([line.mean], [place], xerr=style.bars([line.over_meshes]), color=color, elinewidth=1)
         axes.annotate(
             f"{number(line.mean)}", (1.02, place), xycoords=("axes fraction", "data"), va="center",
             fontsize=9,

@@ -15,6 +15,7 @@ from plots.measures import (
     TIME, Measure, TimeUnit, columns, failure, measured_solvers, median_of, time_unit,
 )  # fmt: skip
 from results.reader import Mesh, ResultError, Run
+from results.statistics import Estimate
 
 MODELS = 2
 PHASES = {
@@ -39,9 +40,13 @@ class Split:
     """Times of one solver on one mesh in seconds: of a timed solve, and of the phases of another solve."""
 
     solver: str
-    time: float
+    seconds: Estimate
     phases: dict[str, float]
     overhead: float
+
+    @property
+    def time(self) -> float:
+        return self.seconds.value
 
     @property
     def together(self) -> float:
@@ -66,10 +71,10 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
         median = median_of(run, mesh, solver, measure)
         return median.value if median else None
 
-    time = middle(TIME)
+    time = median_of(run, mesh, solver, TIME)
     phases = {key: middle(phase_measure(key)) for key in PHASES}
     known = {key: value for key, value in phases.items() if value is not None}
-    if not time or len(known) < len(PHASES) or not sum(known.values()):
+    if not time or not time.value or len(known) < len(PHASES) or not sum(known.values()):
         return None
     return Split(solver, time, known, middle(phase_measure(OVERHEAD)) or 0)
 
@@ -119,7 +124,7 @@ def figure(run: Run) -> Drawing:
 
 
 def _draw(axes: Axes, mesh: Mesh, splits: list[Split], unit: TimeUnit) -> None:
-    longest = unit.scale * max(one.time for one in splits)
+    longest = unit.scale * max(one.seconds.high for one in splits)
     for place, one in enumerate(splits):
         left = 0.0
         for (_, color, hatch), time in one.parts():
@@ -129,8 +134,10 @@ def _draw(axes: Axes, mesh: Mesh, splits: list[Split], unit: TimeUnit) -> None:
                 linewidth=0.6,
             )  # fmt: skip
             left += width
-        words = unit.text(one.time)
-        axes.text(left + 0.01 * longest, place, words, va="center", fontsize=9)
+        bars = [[unit.scale * length for length in lengths] for lengths in style.bars([one.seconds])]
+        axes.errorbar([unit.scale * one.time], [place], xerr=bars, color=style.INK, elinewidth=1, capsize=2)
+        right = max(left, unit.scale * one.seconds.high)
+        axes.text(right + 0.01 * longest, place, unit.text(one.time), va="center", fontsize=9)
     axes.set_yticks(range(len(splits)), [style.plain(one.solver) for one in splits])
     axes.set_ylim(len(splits) - 0.45, -0.55)
     axes.set_xlim(0, 1.14 * longest)
@@ -152,7 +159,8 @@ def _caption(run: Run, drawn: dict[str, list[Split]]) -> str:
                 failed = failure(run, mesh, solver)
                 absent.append(f"{solver} on {mesh} ({failed.text if failed else ABSENT})")
     return sentences(
-        "The length of a bar is the CPU time of a timed solve, the median over sources and repetitions. "
+        "The length of a bar is the CPU time of a timed solve, the median over sources and repetitions with its "
+        "95% bootstrap interval. "
         "The phases come from a separate solve with timers; the cost of the timers "
         f"({min(shares):.0%} to {max(shares):.0%} of that solve) is subtracted. Rest is the time of the "
         "timed solve minus the phases.",

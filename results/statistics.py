@@ -109,17 +109,21 @@ def geometric_mean(samples: Sequence[Sample]) -> Estimate:
     return _estimate(float(np.exp(np.mean(means))), np.exp(draws), spread)
 
 
-def geometric_mean_of_ratios(cells: Sequence[tuple[Sequence[float], Sequence[float]]]) -> Estimate:
+def geometric_mean_of_ratios(
+    cells: Sequence[tuple[Sequence[float], Sequence[float]]], *, redraw_cells: bool = True
+) -> Estimate:
     """Returns the geometric mean over cells of median(after) / median(before).
 
-    For two runs that were not interleaved. The interval resamples cells, and the repetitions of each
+    For two sides that were not interleaved. The interval resamples cells, and the repetitions of each
     side inside each resampled cell. The range is that of the cells' ratios.
 
-    @param cells (before, after): the repetitions of each side, all > 0; at least one cell"""
+    @param cells (before, after): the repetitions of each side, all > 0; at least one cell
+    @param redraw_cells False if the cells are a choice, as meshes are: only repetitions are resampled"""
     before = np.log(_padded([each[0] for each in cells]))
     after = np.log(_padded([each[1] for each in cells]))
     random = np.random.default_rng(SEED)
-    chosen = random.integers(len(cells), size=(RESAMPLES, len(cells)))
+    every = np.tile(np.arange(len(cells)), (RESAMPLES, 1))
+    chosen = random.integers(len(cells), size=every.shape) if redraw_cells else every
 
     def ratio(above: Array, below: Array) -> Array:
         return np.asarray(np.nanmedian(above, axis=-1) - np.nanmedian(below, axis=-1))

@@ -18,6 +18,7 @@ from xml.etree import ElementTree
 import matplotlib
 import numpy as np
 import pytest
+from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -30,6 +31,8 @@ from plots.catalogue import FIGURES
 from plots.dots import BEYOND
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
+from plots.measures import TIME, median_of
+from plots.ratios import Ratio
 from results.console import ROOT
 from results.published import THESIS_SOLVERS
 from results.reader import ERRORS, ResultError, Run
@@ -413,6 +416,21 @@ def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
     axes = figure_of("phases", run).axes[0]
     row = [bar for bar in axes.patches if round(bar.get_y() + bar.get_height() / 2) == 2]
     assert sum(bar.get_width() for bar in row) == pytest.approx(1e3 * one.time)
+
+
+@pytest.mark.parametrize("name", ["overview", "phases", "speedup"])
+def test_times_of_one_mesh_are_drawn_with_their_intervals(run: Run, name: str) -> None:
+    """Without them, a mesh with two sources would have dots that look exact."""
+    one = run.of_meshes(["horse"])
+    over = {"overview": "edge-based", "phases": "", "speedup": "ich"}[name]
+    ratio = Ratio("", "", ("mmp", TIME), (over, TIME))
+    wanted = ratio.mean(one, "horse", "mmp") if over else median_of(one, "horse", "mmp", TIME)
+    assert wanted and wanted.high > wanted.low
+    axes = figure_of(name, one).axes[0]
+    lines = [line.get_xdata() for line in axes.lines]
+    lines += [part[:, 0] for each in axes.collections if isinstance(each, LineCollection) for part in each.get_segments()]
+    lengths = [line[1] / line[0] for line in lines if len(line) == 2 and line[0] > 0]  # of any unit
+    assert np.isclose(lengths, wanted.high / wanted.low, rtol=1e-9).any()
 
 
 def test_errors_that_all_solvers_share_are_called_those_of_the_reference(run: Run) -> None:

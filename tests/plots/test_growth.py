@@ -30,6 +30,19 @@ def test_the_exponent_of_a_power_law_is_found() -> None:
     assert time.low == pytest.approx(1.25, abs=1e-6)
 
 
+def test_times_are_drawn_and_listed_with_their_intervals() -> None:
+    rows = [
+        row("fast", name, cpu_time=n * (1 + repetition), window_propagations=n, repetition_index=repetition)
+        for name, n in SIZES.items()
+        for repetition in range(3)
+    ]
+    run = run_of([solver("fast")], [mesh(*each) for each in SIZES.items()], rows)
+    field = growth.table(run).rows[0][3]
+    assert field.low is not None and field.high is not None and field.low < field.high and "[" in field.text
+    (bars,) = growth.figure(run).figure.axes[0].collections
+    assert [segment[:, 1].tolist() for segment in bars.get_segments()][0] == pytest.approx([10, 30])
+
+
 def test_time_per_window_is_shown_in_nanoseconds_and_by_the_smallest_mesh() -> None:
     table = growth.table(series_of(dict(reversed(SIZES.items())), 1.5))
     assert [row[2].value for row in table.rows] == [10_000, 100_000, 1_000_000]

@@ -107,10 +107,11 @@ def test_a_time_of_zero_has_no_ratio() -> None:
 def test_the_figure_shows_times_over_the_base_from_one_source() -> None:
     points = many_sources.points(run_of(SEVERAL), "heat", "e")
     assert [point.sources for point in points] == [1, 8, 64]
-    assert [point.time for point in points] == pytest.approx([0.5, 1, 1.5])
+    assert [point.time.value for point in points] == pytest.approx([0.5, 1, 1.5])
     assert {point.mean for point in points} == {0.1} and {point.largest for point in points} == {0.2}
     drawing = many_sources.figure(run_of(SEVERAL))
     times, means, _ = drawing.figure.axes
+    assert len(times.collections) == 2 and not means.collections  # the intervals of times
     assert len(times.lines) == 2 and len(means.lines) == 1  # the exact one has no error
 
 
@@ -124,7 +125,7 @@ def test_a_number_of_sources_without_an_answer_is_left_out() -> None:
 def test_the_table_has_every_set_over_the_base_from_the_same_sources() -> None:
     table = many_sources.table(run_of(SEVERAL))
     texts = [[cell.text for cell in cells] for cells in table.rows]
-    assert ["m", "boundary", "40", "heat", "0.500", "2.0e-01", "1.0e-01"] in texts
+    assert ["m", "boundary", "40", "heat", "0.500 [0.500, 0.500]", "2.0e-01", "1.0e-01"] in texts
     assert len(texts) == 8
 
 

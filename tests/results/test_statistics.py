@@ -131,6 +131,9 @@ def test_ratios_of_two_runs_have_a_mean_over_cells() -> None:
     assert estimate.value == pytest.approx(1)
     assert (estimate.least, estimate.most) == pytest.approx((0.5, 2))
     assert estimate.low < 1 < estimate.high and not estimate.excludes_one
+    of_a_choice = geometric_mean_of_ratios(cells, redraw_cells=False)
+    assert of_a_choice.value == estimate.value and estimate.low < of_a_choice.low < 1 < of_a_choice.high < estimate.high
+    assert of_a_choice.low == pytest.approx((2 / 1.2 * 0.5) ** 0.5)
 
 
 @pytest.mark.parametrize(
