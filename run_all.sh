@@ -19,6 +19,7 @@ peers=
 solvers=
 meshes=
 folder=
+only=
 install=yes
 run_options=()
 adds_solvers=
@@ -64,6 +65,8 @@ Options:
                        passed on to geodesic-bench run: see its --help
   --resume DIR         continue an interrupted run with its options
   --run DIR            folder of an old run, for check and plot (default: the newest)
+  --only A,B           the only tables and figures that plot draws: times,speedup
+                       (geodesic-bench plot --help lists all)
   --preset NAME        the build to measure: release (default), or ci (warnings are errors)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
@@ -91,6 +94,7 @@ take_word() {
     --peers) take_value "$@"; peers=$value ;;
     --solvers) take_value "$@"; solvers=$value ;;
     --meshes) take_value "$@"; meshes=$value ;;
+    --only) take_value "$@"; only=$value ;;
     --sources | --further-sources | --path-targets | --repetitions)
       take_number "$@"
       run_options+=("$1" "$value")
@@ -135,6 +139,7 @@ complete_options() {
     [[ -z $out$resumed ]] || die "--out and --resume are for run; check and plot take --run DIR"
     out=$old_run
   fi
+  [[ -z $only ]] || has_step plot || die "--only is for plot"
 }
 
 has_step() {
@@ -231,8 +236,14 @@ step_check() {
     check_failed=yes
 }
 
-# Its hundred files are listed only in the log, so that the output of check stays visible.
+# The hundred files of a report are listed only in the log, so that the output of check stays visible.
 step_plot() {
+  local names
+  if [[ -n $only ]]; then
+    IFS=, read -ra names <<<"$only"
+    PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots "${names[@]}" --run "$out"
+    return
+  fi
   PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report "$out" >>"$log"
 }
 
@@ -252,6 +263,7 @@ check_words() {
   if [[ -n $peers ]]; then words+=(--peers "$peers"); fi
   if [[ -n $resumed ]]; then words+=(--resume "$resumed"); fi
   if [[ -n $old_run ]]; then words+=(--run "$old_run"); fi
+  if [[ -n $only ]]; then words+=(--only "$only"); fi
   "$python" "$root/tools/check_words.py" "${words[@]}"
 }
 
@@ -293,7 +305,7 @@ report_failure() {
 }
 
 finish() {
-  if has_step plot; then
+  if has_step plot && [[ -z $only ]]; then
     say "Tables: $out/tables (as .md, .csv and .tex)"
     say "Figures: $out/figures (as .png and .pdf, with captions in .md)"
     say "All on one page: $out/report.html"

@@ -9,7 +9,7 @@ from pathlib import Path
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench plot")  # before imports that may fail
 
 from plots.catalogue import EVERYTHING, draw_files
 from results.names import unknown_name
@@ -17,7 +17,10 @@ from results.reader import ResultError, read_run, run_folder
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.Parser(__doc__)
+    parser = console.Parser(
+        __doc__, "geodesic-bench plot times speedup",
+        "geodesic-bench plot overview --run results/runs/mine --meshes horse --out paper",
+    )  # fmt: skip
     parser.add_argument("--run", type=Path, metavar="RUN", help=console.RUN)
     parser.add_argument(
         "names", nargs="*", metavar="NAME", help=f"what to draw: {', '.join(EVERYTHING)}"

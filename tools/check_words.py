@@ -77,6 +77,11 @@ def check(options: dict[str, str]) -> None:
             check_name("--peers", "peer", name, peers())
     if "solvers" in options:
         check_solvers(options["solvers"], set(registered(ROOT)) | (peers() if "peers" in options else set()))
+    if "only" in options:
+        from plots.catalogue import EVERYTHING  # here, since matplotlib is slow to import
+
+        for name in options["only"].split(","):
+            check_name("--only", "table or figure", name, set(EVERYTHING))
     if "resume" in options:
         check_folder("--resume", Path(options["resume"]), "request.json", "no run began there")
     if "run" in options:
@@ -87,7 +92,7 @@ def check(options: dict[str, str]) -> None:
 
 def main() -> int:
     parser = console.Parser(__doc__)
-    for name in ("corpus", "meshes", "peers", "solvers", "resume", "run", "folder"):
+    for name in ("corpus", "meshes", "peers", "solvers", "resume", "run", "folder", "only"):
         parser.add_argument(f"--{name}")
     given = parser.parse_args()
     try:

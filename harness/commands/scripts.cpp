@@ -34,6 +34,7 @@ constexpr Script kScripts[] = {
     {"rank", "gate.rank", "Rank a solver against others by interleaved times"},
     {"merge", "results.merge", "Join the shards of a run (run --shard K/N)"},
     {"report", "plots.report", "Draw the tables, figures and the HTML report of a run"},
+    {"plot", "plots", "Draw only the tables and figures of a run that are named"},
     {"view", "view", "Make a page that turns a model and plays the wavefronts of solvers"},
     {"check", "gate.check_run", "Check a run: verified cells, complete counters, known failures"},
     {"publish", "gate.publish", "Write a run as a file to contribute"},

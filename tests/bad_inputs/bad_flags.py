@@ -156,7 +156,8 @@ CASES = [
     flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; the nearest of "),
     flag("check_run.py --runs", "geodesic-bench check: no option named '--runs'; there are: ",
          "see geodesic-bench check --help"),
-    flag("plots strip_depth --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),
+    flag("plots strip_depth --run nowhere", "geodesic-bench plot: nowhere: no such folder; ./run_all.sh run"),
     flag("report.py a b", "geodesic-bench report: unrecognized arguments: b"),
-    flag("plots overview --out", "argument --out: expected one argument; see plots --help"),
+    flag("plots overview --out", "argument --out: expected one argument; see geodesic-bench plot --help"),
+    flag("plots spedup", "geodesic-bench plot: no table or figure named 'spedup' (did you mean 'speedup'?)"),
 ]  # fmt: skip

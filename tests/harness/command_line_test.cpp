@@ -316,7 +316,8 @@ TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) 
 
 // Scripts, such as `check`, are Python modules of the data folder.
 TEST_F(CommandLine, ScriptsAreCommandsWithTheirOwnHelpAndExitCode) {
-  expect_words(run_plainly(PROGRAM, {"--help"}).out, {"compare", "rank", "report", "check"});
+  expect_words(run_plainly(PROGRAM, {"--help"}).out,
+               {"compare", "rank", "report", "plot", "check"});
   const Output help = run_plainly(PROGRAM, {"check", "--help"});
   EXPECT_EQ(help.code, 0) << help.err;
   expect_words(help.out, {"usage: ", "[RUN]"});

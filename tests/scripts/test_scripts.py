@@ -237,6 +237,16 @@ def test_plot_alone_draws_the_newest_run_over_what_was_drawn_before(checkout: Pa
     assert "plot: done" in (checkout / "build" / "logs" / "run_all.log").read_text()
 
 
+def test_one_figure_and_one_table_are_drawn_alone(checkout: Path) -> None:
+    shutil.copytree(GOLDEN, checkout / "my run")
+    words = ["plot", "--no-install", "--run", "my run", "--only", "times,speedup"]
+    ended = run(checkout / "run_all.sh", *words, cwd=str(checkout))
+    assert ended.returncode == 0, ended.stderr
+    assert "/my run/figures/speedup.png (also .pdf, .md)" in ended.stdout and "report.html" not in ended.stdout
+    drawn = {file.stem for folder in ("tables", "figures") for file in (checkout / "my run" / folder).iterdir()}
+    assert drawn == {"times", "speedup"}
+
+
 def test_failed_check_still_draws_an_old_run_where_it_is_and_ends_in_error(checkout: Path) -> None:
     shutil.copytree(GOLDEN, checkout / "my run")
     (checkout / "plots" / "report.py").write_text(
@@ -260,6 +270,8 @@ def test_failed_check_still_draws_an_old_run_where_it_is_and_ends_in_error(check
         ("--peers foo", "--peers: no peer named 'foo'"),
         ("--folder nowhere", "--folder: no such folder: "),
         ("--resume plots", "/plots has no request.json: no run began there"),
+        ("--only spedup", "--only: no table or figure named 'spedup' (did you mean 'speedup'?)"),
+        ("build --only speedup", "--only is for plot"),
         ("plot --run plots", "/plots has no run.json: it is no run that has ended"),
     ],
 )  # fmt: skip
