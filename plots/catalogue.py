@@ -19,6 +19,7 @@ from plots import (
 )  # fmt: skip
 from plots.drawing import Drawing, Picture
 from results import table
+from results.console import StatusLine
 from results.reader import ResultError, Run
 from results.table import Table
 
@@ -154,7 +155,7 @@ def draw_files(
 ) -> tuple[dict[str, Table | Picture], dict[str, str]]:
     """As `draw`, and writes each table and figure in every format: tables to FOLDER/tables and figures to
     FOLDER/figures, or all to `out`. All processors of the machine draw. Prints
-    the name of the first file of each."""
+    the name of the first file of each, and shows on a terminal what is being drawn."""
     each = list(names) or list(EVERYTHING)
     processes = min(len(each), os.cpu_count() or 1)
     draw_one = partial(_draw_files, run, folder, out)
@@ -166,7 +167,12 @@ def draw_files(
             # Not forked: a process that imported NumPy may have threads.
             pool = ProcessPoolExecutor(processes, get_context("spawn"))
             parts = stack.enter_context(pool).map(draw_one, each)
-        for part in parts:
+        status = stack.enter_context(StatusLine())
+        left = iter(parts)
+        for number, name in enumerate(each, start=1):
+            status.show(f"drawing {number} of {len(each)}: {name}")
+            part = next(left)
+            status.clear()
             for line in part.lines:
                 print(line)
             written |= part.written

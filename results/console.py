@@ -14,7 +14,7 @@ import signal
 import sys
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn, Self, TextIO
 
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
@@ -24,6 +24,7 @@ from .names import unknown_name
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
 EXIT_INTERRUPTED = 130
+ERASE_LINE = "\r\033[K"
 
 
 def printable(text: str) -> str:
@@ -40,6 +41,28 @@ def reason_of(error: OSError) -> str:
     """Returns "No space left on device: /the/file". The file is omitted if the error names none, as
     for errors of an open file or of the output."""
     return ": ".join(str(part) for part in (error.strerror or error, error.filename) if part)
+
+
+class StatusLine:
+    """One line on the terminal of the error stream that is kept up to date. Nothing is written elsewhere. It
+    is erased before another line is printed, and at the end of the block."""
+
+    def __init__(self) -> None:
+        self._stream = sys.stderr if sys.stderr.isatty() else None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.clear()
+
+    def show(self, text: str) -> None:
+        if self._stream:
+            print(f"{ERASE_LINE}{printable(text)}", end="", file=self._stream, flush=True)
+
+    def clear(self) -> None:
+        if self._stream:
+            print(ERASE_LINE, end="", file=self._stream, flush=True)
 
 
 _name = ""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import re
+import sys
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -10,6 +12,7 @@ import pytest
 
 from plots import catalogue, report
 from plots.catalogue import EVERYTHING
+from results import console
 from results.reader import Run
 from results.table import Field, Table
 
@@ -100,3 +103,16 @@ def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote(golden_run
     assert [cell.get("data-value") for cell in cells] == ["horse", "1234", None, None]
     assert "#t-a" in page.all_of("href") and "t-a" in page.all_of("id")
     assert "10 vertices horse 1,234" in page.text
+
+
+@pytest.mark.parametrize("on_terminal", [True, False])
+def test_a_terminal_shows_what_is_being_drawn(
+    golden_run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, on_terminal: bool
+) -> None:
+    stream = io.StringIO()
+    monkeypatch.setattr(stream, "isatty", lambda: on_terminal)
+    monkeypatch.setattr(sys, "stderr", stream)
+    catalogue.draw_files(golden_run, tmp_path, ["times", "solvers"])
+    erase = console.ERASE_LINE
+    shown = [f"{erase}drawing 1 of 2: times{erase}", f"{erase}drawing 2 of 2: solvers{erase}", erase]
+    assert stream.getvalue() == ("".join(shown) if on_terminal else "")
