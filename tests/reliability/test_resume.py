@@ -161,7 +161,7 @@ def test_the_second_of_two_runs_in_one_folder_is_refused(world: World) -> None:
 
 
 def test_the_command_that_an_interrupted_run_prints_goes_on_with_it(world: World) -> None:
-    slow = ["--reference", "edge-based", "--", "--benchmark_min_time=0.3"]
+    slow = ["--reference", "edge-based", "--", "--benchmark_min_time=0.1"]
     with subprocess.Popen(world.words(*slow), stderr=subprocess.PIPE, text=True) as first:
         while not list(world.out.glob("cells/*.json")):
             time.sleep(0.01)
