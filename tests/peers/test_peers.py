@@ -112,7 +112,7 @@ def test_a_peer_that_misbehaves_is_a_row_and_costs_no_other_cell(world: PeerWorl
     solvers = "talks,crashes,hangs,eats,leaves"
     ended = world.run(
         "run", "--meshes", str(mesh), "--solvers", solvers, "--sources", "1", "--repetitions", "1",
-        "--time-limit", "5", "--memory-limit", "1G", "--out", str(out),
+        "--time-limit", "3", "--memory-limit", "300M", "--out", str(out),
     )  # fmt: skip
     rows = json.loads((out / "run.json").read_text())["benchmarks"]
     assert {row["solver"]: row["outcome"] for row in rows} == {
