@@ -10,11 +10,8 @@ import pytest
 from killing import Killing, Lost, processes_of
 
 
-@pytest.mark.parametrize("seed", [1, 2])
-def test_killed_runs_end_as_if_they_had_not_been_killed(
-    bench: Path, tmp_path: Path, seed: int
-) -> None:
-    killing = Killing(bench, tmp_path, seed)
+def test_killed_runs_end_as_if_they_had_not_been_killed(bench: Path, tmp_path: Path) -> None:
+    killing = Killing(bench, tmp_path, 1)
     killing.until_killed(8)
     assert killing.kills == 8
 
