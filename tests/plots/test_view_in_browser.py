@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,15 @@ from selenium.webdriver.support.wait import WebDriverWait
 pytestmark = pytest.mark.usefixtures("with_three")
 SECONDS = 60
 """Time limit for a software renderer on a busy machine."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def small_window(browser: Any) -> Iterator[None]:
+    """A software renderer takes seconds for a large picture."""
+    size = browser.get_window_size()
+    browser.set_window_size(600, 600)
+    yield
+    browser.set_window_size(size["width"], size["height"])
 
 
 def until(holds: Callable[[], object]) -> None:
