@@ -112,8 +112,15 @@ def test_distances_come_in_the_order_in_which_the_mesh_has_its_vertices(tmp_path
     assert ended.stdout.split() == ["inf"] * 4 + ["0", "1", "0", "1"]
 
 
-@pytest.mark.parametrize("reads", ["{mesh}", "{mesh.off}", "{mesh.ply}", "{vertices.npy} {faces.npy}"])
-@pytest.mark.parametrize("writes", ["{distances}", "{distances.npy}"])
+@pytest.mark.parametrize(
+    ("reads", "writes"),
+    [
+        ("{mesh}", "{distances}"),
+        ("{mesh.off}", "{distances}"),
+        ("{mesh.ply}", "{distances}"),
+        ("{vertices.npy} {faces.npy}", "{distances.npy}"),
+    ],
+)
 def test_meshes_and_distances_are_in_the_formats_that_the_command_names(
     tmp_path: Path, reads: str, writes: str
 ) -> None:
