@@ -7,7 +7,7 @@ foreach(object ${OBJECTS})
   execute_process(COMMAND ${NM} --demangle ${object} OUTPUT_VARIABLE symbols
                   COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE ";" "," symbols "${symbols}")
-  string(REGEX MATCHALL "[^\n]*(${instrumentation})[^\n]*" found "${symbols}")
+  string(REGEX MATCHALL "${instrumentation}" found "${symbols}")
   list(LENGTH found count)
   if(object MATCHES "_recorded\\.cpp\\.[^/]*$")
     math(EXPR recorded "${recorded} + 1")
