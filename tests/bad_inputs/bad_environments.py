@@ -63,8 +63,6 @@ CASES = [
          f"plots strip_depth --run '{RUN}' --out hill.obj", ["File exists: hill.obj", "--out"]),
     Case("plots strip_depth: a full disk",
          f"with-disk size=4k plots strip_depth --run '{RUN}' --out disk/t", [FULL, "--out"], needs="with-disk"),
-    Case("plots overview: a read-only disk",
-         f"with-disk ro plots overview --run '{RUN}' --out disk/f", ["Read-only file system: disk/f", "--out"], needs="with-disk"),
     Case("run_tests.sh: a checkout of others", "unprivileged checkout/run_tests.sh --no-install",
          ["run_tests.sh: cannot write", "run_tests.log", "check who owns the checkout"],
          given="cp -r $CHECKOUT checkout; rm -rf checkout/build; chmod 555 checkout",

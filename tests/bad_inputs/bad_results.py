@@ -43,8 +43,6 @@ CASES = [
          ["nothing to compare", COMMON], files={"a": LESS, "b": OTHER}),
     Case("geodesic-bench compare: another mesh", f"geodesic-bench compare '{GOLDEN}' b",
          ["is another file in b"], files={"b": OTHER_MESH}),
-    Case("plots strip_depth: cut", "plots strip_depth --run .", ["run.json: not JSON, perhaps truncated"],
-         files={"run.json": CUT}),
     Case("report.py: a file in place of its folder", f"report.py '{GOLDEN}'",
          ["geodesic-bench report: ", "run.json: no such folder"]),
     Case("run_all.sh check: nothing there", "run_all.sh check --no-install --run nowhere",
