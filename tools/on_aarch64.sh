@@ -76,9 +76,21 @@ emulated() {
 
 # Runs the process that `verify --random` starts, because an emulated program cannot start it.
 check_random_meshes() {
-  emulated "$build/geodesic-bench" check-random "{\"solvers\": [\"${solvers//,/\", \"}\"],
-    \"vectors\": \"auto\", \"seed\": 1, \"end\": $meshes, \"time_limit\": 600,
-    \"scratch\": \"$build\", \"log_file\": \"$build/random.jsonl\"}"
+  local properties=(distances-equal-the-reference paths-begin-in-faces-and-on-edges-too
+    sources-in-faces-and-on-edges-equal-inserted-vertices
+    targets-in-faces-and-on-edges-equal-inserted-vertices)
+  local mesh property solver asks=()
+  for ((mesh = 0; mesh < meshes; mesh++)); do
+    for property in "${properties[@]}"; do
+      for solver in ${solvers//,/ }; do
+        asks+=("{\"solver\": \"$solver\", \"property\": \"$property\", \"seconds\": 600,
+          \"random\": {\"seed\": 1, \"number\": $mesh}}")
+      done
+    done
+  done
+  (IFS=,; echo "{\"vectors\": \"auto\", \"scratch\": \"$build\",
+    \"log\": \"$build/random.jsonl\", \"asks\": [${asks[*]}]}") >"$build/random.json"
+  emulated "$build/geodesic-bench" check-cases "$build/random.json"
   ! grep '"outcome":[345]' "$build/random.jsonl" >&2 || die "solvers are wrong on random meshes"
 }
 

@@ -51,7 +51,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   app.get_subcommand("verify")->preparse_callback(
       [command_line](std::size_t) { require_text(command_line); });
   add_cell_commands(app);
-  add_check_commands(app);
+  add_check_command(app);
 }
 
 // The subcommand that the user gave, as far as it was understood.

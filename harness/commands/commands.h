@@ -33,7 +33,7 @@ void add_solve_command(CLI::App& app);
 void add_verify_command(CLI::App& app);
 
 /// Commands of the processes that `verify` starts. The help does not show them.
-void add_check_commands(CLI::App& app);
+void add_check_command(CLI::App& app);
 
 /// `run [SUITE.json] [-- --benchmark_...]`: measures every cell of a suite.
 /// @param command_line the complete command line, for the record

@@ -10,7 +10,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
-#include "harness/verify/isolated_check.h"
+#include "harness/verify/check_process.h"
 #include "harness/verify/verify_solver.h"
 
 namespace geodesic::harness {
@@ -45,7 +45,7 @@ std::vector<Source> sources_of(const std::string& words) {
 }
 
 void check_request(const VerifyRequest& request) {
-  if (request.solvers.empty() && !request.random) {
+  if (request.solvers.empty() && !request.random && request.file.empty()) {
     throw HarnessError("--solver is required (geodesic-bench list)");
   }
   if (request.solvers.size() > 1 && !request.random) {
@@ -97,6 +97,12 @@ void add_verify_command(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--property", request.property, "check this property only")
       ->type_name("NAME");
+  command
+      ->add_option("--file", request.file,
+                   "check the case of this file again, which an earlier call saved beside its mesh")
+      ->type_name("FILE")
+      ->excludes("--solver")
+      ->excludes("--property");
   command->add_flag("--list", flags->list, "print the properties");
   command->add_option("--corpus", request.corpus, "check the distances on this corpus as well")
       ->type_name("NAME");
@@ -124,6 +130,7 @@ void add_verify_command(CLI::App& app) {
                        "check only distances and paths, on this many random meshes")
           ->check(CLI::Range(1, 100'000'000))
           ->excludes("--property")
+          ->excludes("--file")
           ->excludes("--corpus")
           ->excludes("--meshes");
   command->add_option("--seed", flags->random.seed, "seed of the random meshes (default: 1)")
@@ -160,14 +167,11 @@ void add_verify_command(CLI::App& app) {
   command->callback([flags] { run_verify(*flags); });
 }
 
-void add_check_commands(CLI::App& app) {
+void add_check_command(CLI::App& app) {
   const auto task = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("check-property", "")->group("");
+  CLI::App* command = app.add_subcommand("check-cases", "")->group("");
   command->add_option("task", *task)->required();
-  command->callback([task] { run_isolated_check(*task); });
-  CLI::App* random = app.add_subcommand("check-random", "")->group("");
-  random->add_option("task", *task)->required();
-  random->callback([task] { run_random_check(*task); });
+  command->callback([task] { run_checks(*task); });
 }
 
 }  // namespace geodesic::harness

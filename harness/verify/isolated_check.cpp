@@ -1,181 +1,142 @@
 #include "harness/verify/isolated_check.h"
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 
 #include "harness/base/available_memory.h"
 #include "harness/base/error.h"
-#include "harness/base/files.h"
+#include "harness/base/interruption.h"
 #include "harness/base/process.h"
-#include "harness/corpus/solvers.h"
-#include "harness/verify/explain.h"
-#include "meshes/mesh_file.h"
+#include "harness/verify/check_process.h"
+#include "harness/verify/saved_case.h"
 #include "meshes/messages.h"
+#include "meshes/oracles/random_case.h"
 
 namespace geodesic::harness {
-
-struct CheckTask {
-  std::string solver, property, vectors;
-  std::string mesh_file = {};       // empty: the property's own cases
-  std::vector<Query> queries = {};  // on the mesh file
-  double least_distance = 0;        // Tolerance::least on the mesh file
-  bool explain = false;             // whether to explain a failure on the mesh file
-  std::string result_file;
-};
-GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, least_distance,
-                      explain, result_file)
-
 namespace {
 
-// Checks the cases one by one. Before each step, it writes the result that is valid if the process
-// ends during that step.
-class CheckProcess {
- public:
-  explicit CheckProcess(const CheckTask& task)
-      : task_(task), solver_(solver_named(task.solver)), property_(property_named(task.property)) {}
-
-  void run() const {
-    const std::vector<Case> cases = all_cases();
-    CheckResult result{
-        .outcome = CheckOutcome::not_claimed,
-        .what = "is limited to " + std::to_string(solver_.abilities.max_vertices) + " vertices"};
-    // The worst result of all cases. One that holds outweighs those that do not concern the solver.
-    for (std::size_t i = 0; i < cases.size() && !result.failed(); ++i) {
-      if (too_large(cases[i], solver_)) continue;
-      const CheckResult next = check(cases[i], i);
-      if (next.outcome >= result.outcome) result = next;
-    }
-    write(result);
-  }
-
- private:
-  std::vector<Case> all_cases() const {
-    if (task_.mesh_file.empty()) return property_.cases();
-    Case given{.mesh = task_.mesh_file,
-               .soup = read_mesh_file(task_.mesh_file).soup,
-               .queries = task_.queries,
-               .tolerance = {.least = task_.least_distance}};
-    if ((property_.needs & kNonManifoldEdges) != 0) {
-      given.non_manifold_edges = NonManifoldEdges::crossed;
-    }
-    return {given};
-  }
-
-  CheckResult check(const Case& given, std::size_t at_case) const {
-    LocalReference::watch = [&](const std::string& reference) {
-      CheckResult result{.at_case = at_case};  // crashed: in the solver
-      if (!reference.empty()) {
-        result.outcome = CheckOutcome::not_known;
-        result.what = "the reference, " + reference + ',';
-      }
-      write(result);
-    };
-    LocalReference::watch("");
-    try {
-      const Finding finding = check_case(property_, solver_, given);
-      LocalReference::watch = nullptr;
-      return finding ? explained(given, *finding, at_case) : sound(given.build());
-    } catch (const NothingCompared& error) {
-      return {.outcome = CheckOutcome::not_claimed, .what = error.what(), .at_case = at_case};
-    } catch (const NoReference& error) {
-      return {.outcome = CheckOutcome::not_known, .what = error.what(), .at_case = at_case};
-    }
-  }
-
-  // If the solver rightly refuses a user's mesh, the property was not checked.
-  CheckResult sound(const Mesh& mesh) const {
-    const std::string why = unsupported(solver_, mesh);
-    if (task_.mesh_file.empty() || why.empty()) return {.outcome = CheckOutcome::holds};
-    return {.outcome = CheckOutcome::not_claimed, .what = "refuses the mesh: " + why};
-  }
-
-  CheckResult explained(const Case& given, const Violation& violation, std::size_t at_case) const {
-    CheckResult result{.outcome = CheckOutcome::wrong,
-                       .what = violation.what,
-                       .kind = violation.kind,
-                       .at_case = at_case,
-                       .query = violation.query};
-    if (!task_.explain) return result;
-    write(result);  // the solver runs again and may crash or never end
-    result.explanation = explain_violation(solver_, given, violation);
-    return result;
-  }
-
-  // Messages of solvers may not be UTF-8.
-  void write(const CheckResult& result) const {
-    write_bytes(task_.result_file,
-                Json(result).dump(-1, ' ', false, Json::error_handler_t::replace));
-  }
-
-  const CheckTask& task_;
-  const Description& solver_;
-  const Property& property_;
+// What the log of a process says of one check.
+struct Logged {
+  std::size_t index = 0;
+  std::size_t kind = 0;     // of the random mesh
+  bool has_result = false;  // false only for the last check of a process that it ended
+  std::string reference{};  // that was computing last; empty: none
+  CheckResult result{};
 };
 
-CheckResult wait_for(const CheckTask& task, double seconds) {
-  std::filesystem::remove(task.result_file);
-  const Ended ended = run_geodesic_bench({"check-property", Json(task).dump()}, [] {},
-                                         {.seconds = seconds, .memory_bytes = available_memory()});
-  CheckResult result;
-  if (std::filesystem::exists(task.result_file)) {
-    result = Json::parse(std::ifstream(task.result_file)).get<CheckResult>();
+std::vector<Logged> read_log(const std::filesystem::path& file) {
+  std::vector<Logged> found;
+  std::ifstream log(file);
+  for (std::string text; std::getline(log, text);) {
+    const Json line = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+    if (line.is_discarded()) break;  // the last line of a process that was killed
+    if (line.contains("ask")) {
+      found.push_back({line["ask"].get<std::size_t>(), line["kind"].get<std::size_t>()});
+    } else if (line.contains("case")) {
+      found.back().result.at_case = line["case"].get<std::size_t>();
+    } else if (line.contains("reference")) {
+      found.back().reference = line["reference"].get<std::string>();
+    } else if (line.contains("result")) {
+      found.back().result = line["result"].get<CheckResult>();
+      found.back().has_result = true;
+    } else {
+      found.back().result.explanation = line["explanation"].get<std::vector<std::string>>();
+    }
   }
-  if (result.outcome == CheckOutcome::wrong) return result;  // even if the explanation failed
-  if (ended.succeeded() && result.outcome != CheckOutcome::crashed) return result;
-  const CheckResult end = without_result(ended, ended.timed_out, seconds);
-  if (result.outcome == CheckOutcome::not_known) {
-    result.what += ' ' + end.what;
-    return result;
+  return found;
+}
+
+// The result of a check that ended its process, or was ended.
+CheckResult without_result(const Logged& logged, const Ended& ended, double seconds) {
+  const bool timed_out = ended.crashed && ended.code == SIGALRM;
+  CheckResult result = logged.result;
+  result.outcome = timed_out ? CheckOutcome::timed_out : CheckOutcome::crashed;
+  result.what = timed_out ? "did not end within " + significant(seconds, 6) + " s"
+                          : "ended the process: " + ended.describe();
+  if (!timed_out) {
+    result.kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code);
   }
-  result.outcome = end.outcome;
-  result.what = end.what;
-  result.kind = end.kind;
+  if (!logged.reference.empty()) {
+    result.outcome = CheckOutcome::not_known;
+    result.what = "the reference, " + logged.reference + ", " + result.what;
+  }
   return result;
 }
 
 }  // namespace
 
-CheckResult without_result(const Ended& ended, bool timed_out, double seconds) {
-  if (timed_out) {
-    return {.outcome = CheckOutcome::timed_out,
-            .what = "did not end within " + significant(seconds, 6) + " s"};
-  }
-  return {.outcome = CheckOutcome::crashed,
-          .what = "ended the process: " + ended.describe(),
-          .kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code)};
+Case random_mesh_case(const RandomNumber& of, const std::filesystem::path& scratch) {
+  RandomCase made = random_case(of.seed, of.number, scratch);
+  return {.mesh = made.recipe,
+          .soup = std::move(made.soup),
+          .queries = {made.query},
+          .tolerance = {.least = made.least_distance}};
 }
 
-void run_isolated_check(const std::string& task_json) {
-  const auto task = Json::parse(task_json).get<CheckTask>();
-  set_instruction_set(instruction_set_named(task.vectors));
-  CheckProcess(task).run();
+void check_apart(const std::vector<Ask>& asks, const std::string& vectors,
+                 const ScratchFolder& scratch, std::uint64_t memory_bytes,
+                 const std::function<bool(const Ask&)>& wanted,
+                 const std::function<void(std::size_t, CheckResult, std::size_t)>& ended) {
+  const CheckTask files{.vectors = vectors,
+                        .scratch = scratch.path().string(),
+                        .log = (scratch / "log.jsonl").string()};
+  const std::filesystem::path task_file = scratch / "task.json";
+  for (std::size_t next = 0; next < asks.size();) {
+    CheckTask task = files;
+    std::vector<std::size_t> numbers;  // of the task's checks
+    for (; next < asks.size(); ++next) {
+      if (!wanted(asks[next])) continue;
+      task.asks.push_back(asks[next]);
+      numbers.push_back(next);
+    }
+    if (task.asks.empty()) return;
+    write_json(task_file, task);
+    std::filesystem::remove(task.log);
+    const auto take = [&](const Logged& logged, CheckResult result) {
+      ended(numbers.at(logged.index), std::move(result), logged.kind);
+    };
+    Ended process;
+    try {
+      process = run_geodesic_bench({"check-cases", task_file.string()}, [] {},
+                                   {.memory_bytes = memory_bytes});
+    } catch (const Interrupted&) {
+      for (const Logged& logged : read_log(task.log)) {
+        if (logged.has_result) take(logged, logged.result);
+      }
+      throw;
+    }
+    const std::vector<Logged> found = read_log(task.log);
+    if (found.empty()) throw HarnessError("check: " + process.describe());
+    for (const Logged& logged : found) {
+      const double seconds = task.asks.at(logged.index).seconds;
+      take(logged, logged.has_result ? logged.result : without_result(logged, process, seconds));
+    }
+    next = numbers.at(found.back().index) + 1;
+  }
+}
+
+CheckResult IsolatedCheck::result_of(const Ask& ask) const {
+  CheckResult found;
+  check_apart(
+      {ask}, vectors_, folder_, available_memory(), [](const Ask&) { return true; },
+      [&](std::size_t, CheckResult result, std::size_t) { found = std::move(result); });
+  return found;
 }
 
 CheckResult IsolatedCheck::on_own_cases(const Property& property) const {
-  const std::string missing = unclaimed(property, solver_);
-  if (!missing.empty()) return {.outcome = CheckOutcome::not_claimed, .what = missing};
-  return wait_for({.solver = solver_.name,
-                   .property = property.name,
-                   .vectors = vectors_,
-                   .result_file = folder_ / "result.json"},
-                  time_limit_);
+  return result_of({.solver = solver_.name, .property = property.name, .seconds = time_limit_});
 }
 
 CheckResult IsolatedCheck::on_case(const Property& property, const Case& given, double seconds,
                                    bool explain) const {
-  const std::string missing = unclaimed(property, solver_);
-  if (!missing.empty()) return {.outcome = CheckOutcome::not_claimed, .what = missing};
-  const std::filesystem::path mesh_file = folder_ / "case.obj";
-  write_bytes(mesh_file, mesh_bytes(given.soup, mesh_file));
-  return wait_for({.solver = solver_.name,
-                   .property = property.name,
-                   .vectors = vectors_,
-                   .mesh_file = mesh_file,
-                   .queries = given.queries,
-                   .least_distance = given.tolerance.least,
-                   .explain = explain,
-                   .result_file = folder_ / "result.json"},
-                  std::min(seconds, time_limit_));
+  const std::filesystem::path file = folder_ / "case.json";
+  write_case({solver_.name, property.name, vectors_, given}, file);
+  return result_of({.solver = solver_.name,
+                    .property = property.name,
+                    .file = file.string(),
+                    .seconds = std::min(seconds, time_limit_),
+                    .explain = explain});
 }
 
 }  // namespace geodesic::harness

@@ -1,11 +1,12 @@
-// Checks properties in a separate process, so that neither a crash nor an endless loop of a solver
+// Checks properties in separate processes, so that neither a crash nor an endless loop of a solver
 // ends the verification.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 
 #include "harness/base/json.h"
-#include "harness/base/process.h"
 #include "harness/base/scratch_folder.h"
 #include "harness/verify/property.h"
 
@@ -33,11 +34,12 @@ enum class CheckOutcome : std::uint8_t {
 inline constexpr int kMostTimedOut = 3;
 
 struct CheckResult {
-  CheckOutcome outcome = CheckOutcome::crashed;  ///< until the process writes another
-  std::string what = {};                         ///< one line; empty when the property holds
-  std::string kind = {};                         ///< Violation::kind of a failure
+  CheckOutcome outcome = CheckOutcome::not_claimed;
+  std::string what = {};    ///< one line; empty when the property holds
+  std::string kind = {};    ///< Violation::kind of a failure
   std::size_t at_case = 0;  ///< index of the property's own case that was checked last
   Query query = {};         ///< with the wrong answer; without sources when no single query has one
+  double largest_error = 0;  ///< of exact distances on a mesh that is not the property's own
   std::vector<std::string> explanation = {};  ///< lines
 
   bool failed() const { return outcome >= CheckOutcome::wrong; }
@@ -45,14 +47,45 @@ struct CheckResult {
     return failed() && outcome == other.outcome && kind == other.kind;
   }
 };
+GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, largest_error, explanation)
 
-GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, explanation)
+/// A random mesh (meshes/oracles/random_case.h).
+struct RandomNumber {
+  std::uint64_t seed = 0, number = 0;
 
-/// The result of a check whose process ended, or was ended, before the check.
-/// @param seconds time limit of the process
-CheckResult without_result(const Ended& ended, bool timed_out, double seconds);
+  bool operator==(const RandomNumber&) const = default;
+};
+GEODESIC_JSON_MEMBERS(RandomNumber, seed, number)
 
-/// Starts the process of each check and waits for its result.
+/// A check of one property of one solver: on a random mesh, on the case of a file (saved_case.h),
+/// or on the property's own cases until one fails.
+struct Ask {
+  std::string solver, property;
+  std::optional<RandomNumber> random = {};
+  std::string file = {};
+  double seconds = kInfinity;  ///< time limit
+  bool explain = false;        ///< whether a failure on the case of a file is explained (explain.h)
+};
+GEODESIC_JSON_MEMBERS(Ask, solver, property, random, file, seconds, explain)
+
+/// The random mesh, as a case.
+/// @param scratch as for random_case
+Case random_mesh_case(const RandomNumber& of, const std::filesystem::path& scratch);
+
+/// Makes checks in order, in a process that is started again after a check that ended it.
+/// @param vectors name of the instruction set to solve with (corpus/solvers.h)
+/// @param memory_bytes limit of the process
+/// @param ended called with the index and the result of each check, once the process has ended; the
+///        last argument is the kind of the random mesh
+/// @param wanted called for each check before a process is started; one that is not wanted is left
+/// @throws HarnessError when no process can be started
+/// @throws Interrupted, after `ended` has been called for the checks that were made
+void check_apart(const std::vector<Ask>& asks, const std::string& vectors,
+                 const ScratchFolder& scratch, std::uint64_t memory_bytes,
+                 const std::function<bool(const Ask&)>& wanted,
+                 const std::function<void(std::size_t, CheckResult, std::size_t)>& ended);
+
+/// Checks one solver, one property at a time.
 class IsolatedCheck {
  public:
   /// @param solver must outlive this
@@ -72,19 +105,17 @@ class IsolatedCheck {
 
   /// Checks another case, whose mesh has at least one face.
   /// @param seconds replaces the time limit when it is less
-  /// @param explain whether to explain a failure (explain.h)
+  /// @param explain whether to explain a failure
   CheckResult on_case(const Property& property, const Case& given, double seconds = kInfinity,
                       bool explain = false) const;
 
  private:
+  CheckResult result_of(const Ask& ask) const;
+
   const Description& solver_;
   std::string vectors_;
   double time_limit_;
   ScratchFolder folder_;
 };
-
-/// Checks a property in the process that IsolatedCheck started. @param task JSON written by it
-/// @throws the exceptions of reading the mesh file and of writing the result file
-void run_isolated_check(const std::string& task);
 
 }  // namespace geodesic::harness

@@ -17,11 +17,6 @@ struct RandomMeshes {
   unsigned jobs = 1;        ///< number of processes at a time
 };
 
-/// The random mesh with this number, as a case.
-/// @param scratch as for random_case
-Case random_mesh_case(std::uint64_t seed, std::uint64_t number,
-                      const std::filesystem::path& scratch);
-
 struct RandomFailure {
   std::uint64_t mesh;
   const Description* solver;
@@ -50,8 +45,5 @@ void check_on_random_meshes(const std::vector<const Description*>& solvers,
                             const RandomMeshes& meshes, const std::string& vectors,
                             double time_limit, const std::function<void(RandomFailure)>& failed,
                             RandomTally& tally);
-
-/// Does the checks of one process of check_on_random_meshes. @param task JSON from that function
-void run_random_check(const std::string& task);
 
 }  // namespace geodesic::harness

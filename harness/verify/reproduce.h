@@ -1,4 +1,4 @@
-// Saves the smallest case on which a property fails, and finds a command that reproduces it.
+// Saves the smallest case on which a property fails, with the command that reproduces it.
 #pragma once
 
 #include <filesystem>

@@ -18,6 +18,7 @@
 #include "harness/verify/random_check.h"
 #include "harness/verify/references.h"
 #include "harness/verify/reproduce.h"
+#include "harness/verify/saved_case.h"
 #include "meshes/mesh_file.h"
 #include "meshes/oracles/random_meshes.h"
 
@@ -146,14 +147,25 @@ class Verification {
         std::cout << "warning: " << waste << '\n';
       }
     }
-    const int failures = count_.failed;
-    if (failures == 0 && count_.not_known > 0) {
-      throw HarnessError(std::to_string(count_.not_known) + " not known, as listed above");
-    }
-    return failures == 0;
+    return verdict();
+  }
+
+  bool run_on(const SavedCase& saved) {
+    const Property& property = property_named(saved.property);
+    const CheckResult result = check_.on_case(property, saved.given, kInfinity, true);
+    report(property, property.name + " on " + saved.given.mesh, result);
+    for (const std::string& line : result.explanation) std::cout << "  " << line << '\n';
+    return verdict();
   }
 
  private:
+  bool verdict() const {
+    if (count_.failed == 0 && count_.not_known > 0) {
+      throw HarnessError(std::to_string(count_.not_known) + " not known, as listed above");
+    }
+    return count_.failed == 0;
+  }
+
   void check(const Property& property) {
     if (given_up()) return;
     const CheckResult result = check_.on_own_cases(property);
@@ -282,7 +294,7 @@ class RandomVerification {
 
   void show(FailureReport& report, const RandomFailure& failure) const {
     const ScratchFolder scratch;
-    Case given = random_mesh_case(meshes_.seed, failure.mesh, scratch.path());
+    Case given = random_mesh_case({meshes_.seed, failure.mesh}, scratch.path());
     const std::string recipe = given.mesh;
     given.mesh = name_of(failure);
     const IsolatedCheck check(*failure.solver, request_.vectors, request_.time_limit);
@@ -333,6 +345,13 @@ class RandomVerification {
 }  // namespace
 
 bool verify_solver(const VerifyRequest& request) {
+  if (!request.file.empty()) {
+    const SavedCase saved = read_case(request.file);
+    VerifyRequest of_case = request;
+    of_case.solvers = {saved.solver};
+    of_case.vectors = saved.vectors;
+    return Verification(of_case).run_on(saved);
+  }
   return request.random ? RandomVerification(request).run() : Verification(request).run();
 }
 

@@ -14,6 +14,7 @@ namespace geodesic::harness {
 struct VerifyRequest {
   std::vector<std::string> solvers;    ///< one; for random meshes any number, none for all
   std::optional<RandomMeshes> random;  ///< check on random meshes only
+  std::filesystem::path file;          ///< the only case to check (saved_case.h); empty: none
   std::string property;                ///< the only one to check; empty: all
   std::string corpus;                  ///< whose meshes are checked, too; empty: none
   std::vector<std::string> meshes;     ///< names or files of more meshes to check

@@ -154,7 +154,7 @@ def test_verify_prints_a_command_that_loads_the_plugin(
     assert (program, words[:2]) == (str(installed.program), ["--plugin", str(plugin.resolve())])
     again = installed.bench(tmp_path, *words)
     assert again.returncode == 2, again.stdout + again.stderr
-    assert "brute force" in again.stderr
+    assert "first wrong: vertex" in again.stdout
 
 
 @pytest.mark.parametrize(

@@ -215,7 +215,7 @@ class PinnedPaths : public ::testing::TestWithParam<PinnedPoints> {};
 
 TEST_P(PinnedPaths, are_as_long_as_right_distances_by_every_exact_solver) {
   const PinnedPoints& pin = GetParam();
-  const Case given = random_mesh_case(pin.seed, pin.number, ScratchFolder().path());
+  const Case given = random_mesh_case({pin.seed, pin.number}, ScratchFolder().path());
   ASSERT_EQ(given.soup.triangles.size(), pin.faces) << "another mesh has this number now";
   const Mesh mesh = given.build();
   Query query{.sources = {}, .targets = pin.targets};
