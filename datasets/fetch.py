@@ -30,7 +30,7 @@ from fetching.cache import Cache, default_cache
 from fetching.download import Downloader, origin_from_environment
 from fetching.fetcher import Fetcher
 from fetching.program import DEFAULT_BENCH, DEFAULT_MANIFEST, Entry, Manifest
-from fetching.reporting import EXIT_MISSING, FetchError, Progress, Unavailable
+from fetching.reporting import EXIT_MISSING, Bars, FetchError, Unavailable
 
 MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
 
@@ -75,7 +75,7 @@ def fetch(arguments: argparse.Namespace) -> int:
     entries = manifest.select(arguments.corpus, arguments.names)
     origin = origin_from_environment(MIRROR_VARIABLE, manifest.address)
     cache = Cache(arguments.cache)
-    progress = Progress(arguments.bars)
+    progress = Bars(arguments.bars)
     with contextlib.closing(Downloader(progress, MIRROR_VARIABLE)) as downloader:
         fetcher = Fetcher(manifest, cache, arguments.bench, origin, progress, downloader)
         return fetch_all(fetcher, entries)

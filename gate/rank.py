@@ -7,7 +7,6 @@ rank.md, rank.tex, rank.json and the figure from it (docs/ranking.md).
 from __future__ import annotations
 
 import argparse
-import os
 import signal
 import subprocess
 import sys
@@ -98,11 +97,8 @@ def _check(parser: Parser, options: argparse.Namespace) -> None:
 
 
 def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
-    """Returns the command of the run. @raises GateError when GEODESIC_BENCH does not name the program"""
-    bench = os.environ.get("GEODESIC_BENCH")
-    if not bench:
-        raise GateError("GEODESIC_BENCH does not name the program: use `geodesic-bench rank`")
-    words = [bench, *console.plugin_words(), "run"]
+    """Returns the command of the run."""
+    words = [console.bench(), *console.plugin_words(), "run"]
     if options.resume:
         return [*words, "--resume", str(folder)]
     words += ["--interleave", "--solvers", f"{options.solver},{options.against}"]

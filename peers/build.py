@@ -34,7 +34,7 @@ from building.flags import Bench, loading
 from building.plugin import Builder
 from building.sources import Sources, github
 from fetching.download import Downloader, origin_from_environment
-from fetching.reporting import EXIT_MISSING, FetchError, Progress, Unavailable
+from fetching.reporting import EXIT_MISSING, Bars, FetchError, Unavailable
 
 MIRROR_VARIABLE = "GEODESIC_PEERS_MIRROR"
 
@@ -100,7 +100,7 @@ def run(arguments: argparse.Namespace) -> int:
     peers = select_peers(arguments.peers, arguments.names)
     bench = Bench(program, folder / "torus.ply")
     origin = origin_from_environment(MIRROR_VARIABLE, github)
-    with contextlib.closing(Downloader(Progress(sys.stderr), MIRROR_VARIABLE)) as downloader:
+    with contextlib.closing(Downloader(Bars(sys.stderr), MIRROR_VARIABLE)) as downloader:
         sources = Sources(origin, downloader, folder / "archives")
         builder = Builder(folder, sources, Compiler(folder / "package"), bench)
         if arguments.words is not None:

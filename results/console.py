@@ -70,7 +70,7 @@ _packages = PACKAGES
 _place = "--out"
 
 
-def program() -> str:
+def bench() -> str:
     """Returns the name at the beginning of messages: the name given to `prepare`, else the name of the
     script, or of the package that runs with -m."""
     script = Path(sys.argv[0])
@@ -125,6 +125,15 @@ class Parser(argparse.ArgumentParser):
 
 
 RUN = "run folder (default: the newest of results/runs)"
+
+
+def bench() -> str:
+    """Returns the path of geodesic-bench: what GEODESIC_BENCH names, or the checkout's build.
+    @raises FileNotFoundError when there is neither"""
+    built = ROOT / "build" / "release" / "geodesic-bench"
+    if not (named := os.environ.get("GEODESIC_BENCH")) and not built.exists():
+        raise FileNotFoundError(f"{built}: not built; ./run_all.sh build makes it, or set GEODESIC_BENCH")
+    return named or str(built)
 
 
 def plugin_words() -> list[str]:

@@ -13,7 +13,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -95,8 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = console.Parser(__doc__, "python3 -m results.fingerprints --corpus real")
     parser.add_argument("--corpus", default="real", metavar="NAME", help="of the manifest; default: real")
     parser.add_argument(
-        "--bench", type=Path, metavar="FILE", help="geodesic-bench; default: that of build/release",
-        default=Path(os.environ.get("GEODESIC_BENCH", ROOT / "build" / "release" / "geodesic-bench")),
+        "--bench", type=Path, metavar="FILE", help="geodesic-bench; default: that of build/release"
     )  # fmt: skip
     parser.add_argument(
         "-o", "--output", type=Path, default=FILE, metavar="FILE", help=f"default: {FILE.name}"
@@ -107,9 +105,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         meshes = {mesh["name"]: mesh for mesh in manifest["meshes"]}
         if options.corpus not in manifest["corpora"]:
             raise FingerprintError(f"no corpus {options.corpus!r} in datasets/manifest.json")
+        bench = options.bench or Path(console.bench())
         found = {}
         for name in manifest["corpora"][options.corpus]:
-            found[name] = of_mesh(options.bench, meshes[name])
+            found[name] = of_mesh(bench, meshes[name])
             console.say(name)
         data = {"steps": STEPS, "meshes": found}
         options.output.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")

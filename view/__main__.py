@@ -7,7 +7,6 @@ solves first from its first vertex. The page needs no other file and no network 
 from __future__ import annotations
 
 import argparse
-import os
 import shlex
 import subprocess
 import sys
@@ -67,13 +66,9 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def solve(mesh: Path, solvers: Sequence[str], folder: Path) -> int:
     """Runs the solvers on the mesh file and records frames. The run prints its own progress and errors.
-    @return the exit code of the run
-    @raises ResultError when GEODESIC_BENCH does not name the program"""
-    bench = os.environ.get("GEODESIC_BENCH")
-    if not bench:
-        raise ResultError("GEODESIC_BENCH does not name the program: use `geodesic-bench view`")
+    @return the exit code of the run"""
     once = ["--sources", "1", "--repetitions", "1", "--min-time", "0.001"]
-    command = [bench, *console.plugin_words(), "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
+    command = [console.bench(), *console.plugin_words(), "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
     # A reference of another family that takes no longer. The default reference is ten times slower.
     command += ["--reference", "fwp-ch" if SOLVER in solvers else SOLVER]
     command += ["--recordings", "all", "--frames", "--out", str(folder)]

@@ -12,7 +12,7 @@ import requests
 
 from .archive import MAX_BYTES, PIECE
 from .cache import check_sha256, sha256_of
-from .reporting import FetchError, Progress, Unavailable
+from .reporting import Bars, FetchError, Unavailable
 
 TIMEOUTS = (10.0, 30.0)  # seconds: to connect, and between two bytes
 OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
@@ -53,7 +53,7 @@ def _in_mirror(file: Path) -> Path:
 class Downloader:
     """A session with all sites. A host that could not be reached is not tried again."""
 
-    def __init__(self, progress: Progress, mirror_variable: str) -> None:
+    def __init__(self, progress: Bars, mirror_variable: str) -> None:
         """`mirror_variable`: environment variable that messages suggest to set."""
         self._progress = progress
         self._mirror_variable = mirror_variable

@@ -16,7 +16,7 @@ from .cache import Cache, check_sha256
 from .download import Downloader, Origin
 from .packages import file_of_package
 from .program import Entry, Manifest, generate
-from .reporting import Progress, Unavailable
+from .reporting import Bars, Unavailable
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Fetcher:
     """The program geodesic-bench."""
     origin: Origin
     """The place of upstream files that are downloaded."""
-    progress: Progress
+    progress: Bars
     downloader: Downloader
     _outcomes: dict[str, bool | Unavailable] = field(default_factory=dict)
 

@@ -20,7 +20,7 @@ class Unavailable(Exception):
     """One mesh or elevation grid cannot be obtained. The message has the reason and a suggestion."""
 
 
-class Progress:
+class Bars:
     """Progress on a terminal. Nothing is written to other streams."""
 
     def __init__(self, terminal: TextIO) -> None:

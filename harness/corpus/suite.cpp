@@ -1,6 +1,7 @@
 #include "harness/corpus/suite.h"
 
 #include <cmath>
+#include <iostream>
 #include <set>
 #include <utility>
 
@@ -64,7 +65,9 @@ std::filesystem::path default_suite() { return suites_folder() / "default.json";
 Suite suite_of_corpus(const std::string& corpus) {
   check_name("corpus name", corpus);
   const std::filesystem::path file = suites_folder() / (corpus + ".json");
-  return read_suite(std::filesystem::exists(file) ? file : default_suite());
+  if (!std::filesystem::exists(file)) return read_suite(default_suite());
+  std::cerr << "the options of " << file.string() << " are used, where no other ones are given\n";
+  return read_suite(file);
 }
 
 }  // namespace geodesic::harness

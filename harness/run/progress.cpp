@@ -51,11 +51,11 @@ double Forecast::seconds_left(std::size_t first) const {
   return seconds;
 }
 
-Progress::Progress(const std::vector<Cell>& cells, const Suite& suite)
+CellLines::CellLines(const std::vector<Cell>& cells, const Suite& suite)
     : cells_(cells), forecast_(cells, suite) {}
 
 // "[3/40] mmp/horse/src:0  "
-std::string Progress::heading() const {
+std::string CellLines::heading() const {
   const Cell& cell = cells_[done_];
   std::string text =
       "[" + std::to_string(done_ + 1) + "/" + std::to_string(cells_.size()) + "] " + cell.name();
@@ -64,11 +64,11 @@ std::string Progress::heading() const {
   return text + "  ";
 }
 
-void Progress::working(const std::string& work) {
+void CellLines::working(const std::string& work) {
   line_.show(heading() + work + ", " + duration(seconds_in_cell()) + " so far");
 }
 
-void Progress::ended(const std::string& result) {
+void CellLines::ended(const std::string& result) {
   std::string text = heading() + result;
   const double seconds = seconds_in_cell();
   forecast_.measured(done_++, seconds);

@@ -39,10 +39,10 @@ class Forecast {
   std::map<const Description*, Pace> paces_;
 };
 
-class Progress {
+class CellLines {
  public:
   /// @param cells must outlive it
-  Progress(const std::vector<Cell>& cells, const Suite& suite);
+  CellLines(const std::vector<Cell>& cells, const Suite& suite);
 
   /// Must be called about once a second during the next cell. Updates one line on a terminal, and
   /// writes a line every minute elsewhere (a log).

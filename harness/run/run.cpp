@@ -67,7 +67,7 @@ class Run {
   const fs::path folder_;
   const std::string processor_ = processor();
   ReferenceFiles references_;
-  Progress progress_;
+  CellLines progress_;
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
   std::size_t measured_ = 0, ok_ = 0;             // cells
   std::size_t referenced_ = 0;  // the references of the cells before this one have been computed

@@ -8,7 +8,7 @@ namespace geodesic::harness {
 namespace {
 
 // The captured standard error is no terminal, so the lines are those of a log.
-TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
+TEST(CellLines, IsALineACellThatNamesItAndHowLongItTook) {
   Description solver{};
   solver.name = "s";
   PlannedMesh mesh;
@@ -16,7 +16,7 @@ TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
   mesh.vertices = 100;
   const SourceSet seven = single_source(7), nine = single_source(9);
   const std::vector<Cell> cells{{&mesh, &seven, &solver}, {&mesh, &nine, &solver}};
-  Progress progress(cells, {.repetitions = 1, .min_time = 0.001});
+  CellLines progress(cells, {.repetitions = 1, .min_time = 0.001});
   ::testing::internal::CaptureStderr();
   progress.working("reference by r");
   progress.ended("ok");

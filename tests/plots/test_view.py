@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from plots.recordings import FRAMES, SNAPSHOT, recordings
+from results import console
 from results.published import THESIS_SOLVERS
 from results.reader import Run
 from view import __main__ as command
@@ -116,7 +117,7 @@ def test_another_three_js_is_not_taken(
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        (["nothing.ply"], "use `geodesic-bench view`"),
+        (["nothing.ply"], "not built; ./run_all.sh build makes it"),
         (["{run}", "--mesh", "cow"], "cow"),
         (["{run}", "--solvers", "mmp,dijkstra"], "no frames of dijkstra (those with frames: "),
         (["{run}", "--output", "/no/such/folder/page.html"], "cannot write"),
@@ -127,6 +128,7 @@ def test_what_cannot_be_shown_is_one_line(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     monkeypatch.delenv("GEODESIC_BENCH", raising=False)
+    monkeypatch.setattr(console, "ROOT", run.file.parent)
     assert command.main([word.format(run=run.file.parent) for word in words]) == 1
     error = capsys.readouterr().err
     assert says in error and error.count("\n") == 1
