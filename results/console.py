@@ -70,7 +70,7 @@ _packages = PACKAGES
 _place = "--out"
 
 
-def bench() -> str:
+def program() -> str:
     """Returns the name at the beginning of messages: the name given to `prepare`, else the name of the
     script, or of the package that runs with -m."""
     script = Path(sys.argv[0])
