@@ -75,7 +75,7 @@ Environment:
   GEODESIC_DATASETS          dataset cache (default: datasets/cache)
   GEODESIC_DATASETS_MIRROR   folder, file:// or http:// address with a copy of the upstream
                              meshes, which fetch then takes from there
-  GEODESIC_PEERS_MIRROR      the same with the sources of the public codes, for peers
+  GEODESIC_PEERS_MIRROR      the same with the Git repositories of the public codes, for peers
 
 Missing packages are installed with apt, as root or with sudo. Log: build/logs/run_all.log
 EOF

@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 """Builds the peers, public codes of the field, as plug-ins of geodesic-bench.
 
-Their sources come from github.com at the commits of peers/NAME/peer.json, or from the mirror that
-GEODESIC_PEERS_MIRROR names (a folder, or a file:// or http:// address) with the same layout,
-OWNER/NAME/archive/COMMIT.tar.gz. Every file is checked before it is compiled. The plug-ins lie
-beside the program: build/release/peers/NAME/libNAME.so.
+CMake fetches their sources from github.com at the commits of peers/NAME/CMakeLists.txt, or from the
+mirror that GEODESIC_PEERS_MIRROR names: a folder or an address with Git repositories OWNER/NAME.
+The plug-ins lie beside the program: build/release/peers/NAME/libNAME.so.
 
 Exit codes: 0 built, or nothing was asked for by name; 3 a peer that was named could not be had;
 1 wrong use or an error that concerns all; 130 interrupted.
@@ -13,30 +12,23 @@ Exit codes: 0 built, or nothing was asked for by name; 3 a peer that was named c
 from __future__ import annotations
 
 import argparse
-import contextlib
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # shares the code for downloads and archives
+sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # shares the code for names and errors
 
 from results import console
 
 if __name__ == "__main__":
-    console.prepare(  # before imports that may fail
-        "peers/build.py", packages="python3-jsonschema, python3-requests and python3-tqdm"
-    )
+    console.prepare("peers/build.py", packages="python3-tqdm")  # before imports that may fail
 
-from building.compiler import Compiler, install_package
-from building.description import PEERS, Peer, select_peers
+from building.compiler import PEERS, Compiler, install_package
 from building.flags import Bench, loading
 from building.plugin import Builder
-from building.sources import Sources, github
-from fetching.download import Downloader, origin_from_environment
-from fetching.reporting import EXIT_MISSING, Bars, FetchError, Unavailable
-
-MIRROR_VARIABLE = "GEODESIC_PEERS_MIRROR"
+from fetching.program import find
+from fetching.reporting import EXIT_MISSING, FetchError, Unavailable
 
 
 def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
@@ -49,7 +41,11 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="folder to build in (default: peers, beside the program)"
     )
-    parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
+    parser.add_argument(
+        "-D", dest="settings", action="append", default=[], metavar="NAME=VALUE",
+        help="a setting for CMake: FETCHCONTENT_SOURCE_DIR_LIBIGL=FOLDER compiles that folder, as it is",
+    )  # fmt: skip
+    parser.add_argument("--peers", type=Path, default=PEERS, help="folder of the peers")
     parser.add_argument(
         "--words", metavar="SOLVERS", help="build nothing: print the words for geodesic-bench "
         "run that add the peers to SOLVERS (empty: to those that run always, and all peers also to cgal)"
@@ -57,7 +53,7 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
+def build_all(builder: Builder, peers: Sequence[Path]) -> int:
     """Builds the peers one by one, prints a line for each and returns the number of missing ones."""
     missing = 0
     for peer in peers:
@@ -80,7 +76,7 @@ def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str, oracles: b
     return [*loading(plugins), "--solvers", ",".join(names)]
 
 
-def plugins_there(builder: Builder, peers: Sequence[Peer], named: bool) -> list[Path]:
+def plugins_there(builder: Builder, peers: Sequence[Path], named: bool) -> list[Path]:
     """Returns the plug-ins that exist. Raises FetchError if a named one is missing, or if all are."""
     plugins = [builder.plugin(peer) for peer in peers]
     there = [plugin for plugin in plugins if plugin.is_file()]
@@ -97,20 +93,19 @@ def run(arguments: argparse.Namespace) -> int:
             f"there is no {program}: build it (./run_all.sh build) or name it with --bench"
         )
     folder = (arguments.out or program.parent / "peers").resolve()
-    peers = select_peers(arguments.peers, arguments.names)
+    known = {file.parent.name: file.parent for file in sorted(arguments.peers.glob("*/adapter.cpp"))}
+    names = list(dict.fromkeys(arguments.names or known))
+    peers = [find(known, name, "peer").resolve() for name in names]
     bench = Bench(program, folder / "torus.ply")
-    origin = origin_from_environment(MIRROR_VARIABLE, github)
-    with contextlib.closing(Downloader(Bars(sys.stderr), MIRROR_VARIABLE)) as downloader:
-        sources = Sources(origin, downloader, folder / "archives")
-        builder = Builder(folder, sources, Compiler(folder / "package"), bench)
-        if arguments.words is not None:
-            plugins = plugins_there(builder, peers, named=bool(arguments.names))
-            oracles = not arguments.names  # beside all
-            print("\n".join(words_of_run(bench, plugins, arguments.words, oracles)))
-            return 0
-        install_package(program.parent, folder / "package")
-        bench.make_mesh()
-        missing = build_all(builder, peers)
+    builder = Builder(folder, Compiler(folder / "package", arguments.settings), bench)
+    if arguments.words is not None:
+        plugins = plugins_there(builder, peers, named=bool(arguments.names))
+        oracles = not arguments.names  # beside all
+        print("\n".join(words_of_run(bench, plugins, arguments.words, oracles)))
+        return 0
+    install_package(program.parent, folder / "package")
+    bench.make_mesh()
+    missing = build_all(builder, peers)
     return EXIT_MISSING if missing and arguments.names else 0
 
 

@@ -157,7 +157,7 @@ def command(run: Run) -> str:
         return shlex.join(_without(words, {"--out", "--resume"}))
     plugins = run.ours.get("plugins", [])
     names = [Path(plugin["file"]).stem.removeprefix("lib") for plugin in plugins if "file" in plugin]
-    known = {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}
+    known = {file.parent.name for file in (ROOT / "peers").glob("*/adapter.cpp")}
     at = words.index("run")
     rest = words[at + 1 :]
     if rest and not rest[0].startswith("-"):  # the file of a suite

@@ -25,7 +25,7 @@ class WordError(Exception):
 
 
 def peers() -> set[str]:
-    return {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}
+    return {file.parent.name for file in (ROOT / "peers").glob("*/adapter.cpp")}
 
 
 def check_name(option: str, kind: str, name: str, known: set[str]) -> None:

@@ -35,11 +35,11 @@ def sha256_of(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def check_sha256(path: Path, expected: str, what: str, says: str = "the manifest") -> None:
-    """Raises Unavailable for a file with another sum. `says`: the origin of the expected sum."""
+def check_sha256(path: Path, expected: str, what: str) -> None:
+    """Raises Unavailable for a file with another sum than the manifest's."""
     found = sha256_of(path)
     if found != expected:
-        raise Unavailable(f"{what} has sha256 {found}, {says} says {expected}: not used")
+        raise Unavailable(f"{what} has sha256 {found}, the manifest says {expected}: not used")
 
 
 class Cache:

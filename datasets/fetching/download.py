@@ -73,20 +73,20 @@ class Downloader:
         begun = part.exists()
         if begun and sha256_of(part) == sha256:
             return
-        self.transfer(url, part, label)
+        self._transfer(url, part, label)
         if begun and sha256_of(part) != sha256:  # a wrong beginning or a wrong rest
             part.unlink()
-            self.transfer(url, part, label)
+            self._transfer(url, part, label)
         try:
             check_sha256(part, sha256, url)
         except Unavailable:
             part.unlink()
             raise
 
-    def transfer(self, url: str, part: Path, label: str) -> None:
+    def _transfer(self, url: str, part: Path, label: str) -> None:
         """Appends the missing bytes to `part`, or writes it anew if the server does not support that.
 
-        For a file whose sum is unknown: the caller checks its contents. Raises Unavailable.
+        Raises Unavailable.
         """
         have = part.stat().st_size if part.exists() else 0
         with self._request(url, have) as response:
@@ -103,7 +103,7 @@ class Downloader:
                 )
             else:
                 raise Unavailable(f"{url} answers {status} {response.reason}")
-        self.transfer(url, part, label)  # without a beginning, so this happens once
+        self._transfer(url, part, label)  # without a beginning, so this happens once
 
     def _request(self, url: str, have: int) -> requests.Response:
         host = urlsplit(url).netloc

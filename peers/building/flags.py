@@ -78,25 +78,21 @@ def loading(plugins: Iterable[Path]) -> list[str]:
     return [word for plugin in plugins for word in ("--plugin", str(plugin))]
 
 
-def faster(
-    bench: Bench, plugins: Mapping[str, Path], solver: str, authors: str
-) -> tuple[str, str]:
-    """Returns the flags of the plug-in that solves faster, and a sentence about both sets of flags.
+def faster(bench: Bench, plugins: Mapping[Path, str], solver: str) -> tuple[Path, str]:
+    """Returns the plug-in that solves faster, and a sentence about both sets of flags.
 
-    `plugins`: the plug-ins by flags, two, or one if both sets are equal; `authors`: the flags to return
-    if the times cannot be measured. Solves alternate, and the least time counts, because a loaded
-    machine adds time that does not depend on the flags.
+    `plugins`: two plug-ins and whose flags they have; the first is returned if the times cannot be
+    measured. Solves alternate, and the least time counts, because a loaded machine adds time that does
+    not depend on the flags.
     """
-    if len(plugins) == 1:
-        return authors, f"its authors' flags, which are ours, {authors}"
     seconds = dict.fromkeys(plugins, float("inf"))
     try:
         for _ in range(ROUNDS):
-            for flags, plugin in plugins.items():
-                seconds[flags] = min(seconds[flags], bench.seconds(plugin, solver))
+            for plugin in plugins:
+                seconds[plugin] = min(seconds[plugin], bench.seconds(plugin, solver))
     except Unavailable as error:
-        return authors, f"its authors' flags, {authors} (not compared with ours: {error})"
-    best, other = sorted(seconds, key=lambda flags: seconds[flags])
+        first, *_ = plugins
+        return first, f"{plugins[first]} (speed not compared: {error})"
+    best, other = sorted(seconds, key=lambda plugin: seconds[plugin])
     gain = seconds[other] / seconds[best] - 1
-    whose, others = ("its authors' flags", "ours") if best == authors else ("our flags", "theirs")
-    return best, f"{whose}, {best} ({gain:.0%} faster than with {others}, {other})"
+    return best, f"{plugins[best]} ({gain:.0%} faster than with {plugins[other]})"

@@ -1,19 +1,13 @@
-"""A small peer for the tests: the archive of its authors in a mirror, its description and its adapter."""
+"""A small peer for the tests: the repository of its authors in a mirror, its CMake file and its adapter."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
-import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMIT = "0123456789" * 4
 HEADER = "authors.h"
 
 AUTHORS = r"""
@@ -75,51 +69,40 @@ const RegisterSolver<Fake<leave>> leaves{named("leaves")};
 
 LISTS = """cmake_minimum_required(VERSION 3.25)
 project(NAME LANGUAGES CXX)
+set(PEER_FLAGS -O1 CACHE STRING "of this test")
 include(peer)
+peer_needs(PACKAGES)
+peer_sources(somebody/codes COMMIT /*.h)
 geodesic_add_peer(NAME adapter.cpp)
-target_include_directories(NAME PRIVATE ${PEER_SOURCES}/codes)
+target_include_directories(NAME PRIVATE ${PEER_SOURCES})
 """
 
 
 class PeerWorld:
-    """A folder of peers that contains the peer `fake`, and a mirror with the archive of its authors."""
+    """A folder of peers that contains the peer `fake`, and a mirror with the repository of its authors."""
 
     def __init__(self, folder: Path, bench: Path) -> None:
         self.bench = bench
         self.peers = folder / "peers"
         self.mirror = folder / "mirror"
         self.built = folder / "built"
+        authors = self.mirror / "somebody" / "codes"
+        authors.mkdir(parents=True)
+        (authors / HEADER).write_text(AUTHORS)
+        git = ["git", "-C", str(authors), "-c", "user.name=x", "-c", "user.email=x"]
+        for words in (["init", "-q"], ["add", HEADER], ["commit", "-q", "-m", "x"]):
+            subprocess.run([*git, *words], check=True)
+        said = subprocess.run([*git, "rev-parse", "HEAD"], capture_output=True, text=True, check=True)
+        self.commit = said.stdout.strip()
         self.add("fake")
-        top = folder / f"codes-{COMMIT}"
-        top.mkdir()
-        (top / HEADER).write_text(AUTHORS)
-        archive = self.mirror / "somebody" / "codes" / "archive" / COMMIT
-        archive.parent.mkdir(parents=True)
-        shutil.make_archive(str(archive), "gztar", folder, top.name)
 
-    def add(
-        self, name: str, adapter: str = ADAPTER, packages: Sequence[str] = (), **upstream: Any
-    ) -> None:
-        """Writes a peer; replaces an earlier one of this name. It is correct except for the given values.
-
-        @param upstream values of the description of the authors' repository"""
-        sha256 = hashlib.sha256(AUTHORS.encode()).hexdigest()
-        repository = {
-            "repository": "somebody/codes", "commit": COMMIT, "licence": "MIT",
-            "files": {HEADER: sha256},
-            **upstream,
-        }  # fmt: skip
-        description = {
-            "what": "A fake.", "promise": "exact distances", "paper": "none",
-            "upstream": [repository],
-            "flags": {"authors": "-O1", "from": "this test", "ours": "-O1"},
-            "packages": packages,
-        }  # fmt: skip
+    def add(self, name: str, adapter: str = ADAPTER, packages: str = "", commit: str = "") -> None:
+        """Writes a peer; replaces an earlier one of this name. It is correct except for the given values."""
         folder = self.peers / name
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "adapter.cpp").write_text(adapter)
-        (folder / "CMakeLists.txt").write_text(LISTS.replace("NAME", name))
-        (folder / "peer.json").write_text(json.dumps(description))
+        lists = LISTS.replace("NAME", name).replace("PACKAGES", packages)
+        (folder / "CMakeLists.txt").write_text(lists.replace("COMMIT", commit or self.commit))
 
     @property
     def plugin(self) -> Path:

@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "tests/fuzz/fuzz.sh", "tools/lint.sh"]
 KNOWN_BY = [
-    "datasets/manifest.json", "peers/vtp/peer.json", "peers/pvtp/peer.json",
+    "datasets/manifest.json", "peers/vtp/adapter.cpp", "peers/pvtp/adapter.cpp",
     "solvers/mmp/mmp.cpp", "solvers/chen_han/chen_han.cpp",
 ]  # fmt: skip
 """Files that say which names there are."""

@@ -1,0 +1,2 @@
+# What the code counts for its statistics can be read.
+s/private:/public:/
