@@ -85,7 +85,7 @@ def _first_error(done: subprocess.CompletedProcess[str]) -> str:
     lines = [line.strip() for line in (done.stderr + done.stdout).splitlines() if line.strip()]
     for line in lines:
         if line.startswith("fatal: "):  # of git
-            return f"cannot fetch its sources: {line[7:]}: check the network, or {MIRROR_VARIABLE}"
+            return f"cannot fetch its sources: {line[7:]}: check the network or the mirror ({MIRROR_VARIABLE})"
     first = next((at for at, line in enumerate(lines) if "error" in line.lower()), 0)
     if lines and lines[first].endswith(":"):
         first += 1  # CMake prints the message on the next line.

@@ -60,7 +60,7 @@ def test_without_a_network_a_peer_is_one_line_and_fails_nothing_if_all_are_asked
     line, _ = ended.stdout.splitlines()
     assert line.startswith("fake: missing: cannot fetch its sources: ")
     assert f"{mirror}/somebody/codes" in line
-    assert ": check the network, or GEODESIC_PEERS_MIRROR (" in line
+    assert ": check the network or the mirror (GEODESIC_PEERS_MIRROR) (" in line
 
 
 def test_a_folder_in_place_of_the_repository_is_compiled_as_it_is(world: PeerWorld) -> None:
