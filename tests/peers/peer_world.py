@@ -25,7 +25,7 @@ inline void eat() {
   std::vector<std::vector<char>> all;
   for (int gigabyte = 0; gigabyte < 40; ++gigabyte) all.emplace_back(1 << 30, 'x');
 }
-inline void leave() { std::exit(0); }
+inline void leave() { std::edited(0); }
 inline void talk() { std::puts("{\"benchmarks\": []}"); std::fputs("noise\n", stderr); }
 """
 
@@ -72,7 +72,7 @@ project(NAME LANGUAGES CXX)
 set(PEER_FLAGS -O1 CACHE STRING "of this test")
 include(peer)
 peer_needs(PACKAGES)
-peer_sources(somebody/codes COMMIT /*.h)
+peer_sources(somebody/codes COMMIT /*.h EDIT authors.h)
 geodesic_add_peer(NAME adapter.cpp)
 target_include_directories(NAME PRIVATE ${PEER_SOURCES})
 """
@@ -101,6 +101,7 @@ class PeerWorld:
         folder = self.peers / name
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "adapter.cpp").write_text(adapter)
+        (folder / "edits.sed").write_text("s/edited/exit/\n")
         lists = LISTS.replace("NAME", name).replace("PACKAGES", packages)
         (folder / "CMakeLists.txt").write_text(lists.replace("COMMIT", commit or self.commit))
 
