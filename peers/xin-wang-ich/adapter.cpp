@@ -1,5 +1,6 @@
 // The authors' ICH: Chen and Han's algorithm with a filter of windows and a priority queue.
-long long propagated_windows = 0;  // the authors' code counts here, after the edit in CMakeLists.txt
+long long propagated_windows =
+    0;  // the authors' code counts here, after the edit in CMakeLists.txt
 
 #include <ICHWithFurtherPriorityQueue.hpp>
 
