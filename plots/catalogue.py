@@ -8,71 +8,91 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from plots import (
-    answers, break_even, curves, dot_figures, drawing, error_map, frontier, further_sources, growth, isoline_figure,
-    many_sources, overview, path_costs, paths, peers_overview, performance, performance_profile, phases, ratio_tables,
-    robustness, solvers, strip_depth, summary, table_thesis, twins, wavefronts,
-)  # fmt: skip
-from plots.drawing import Drawing, Picture
 from results import table
 from results.console import StatusLine
+from results.published import APPENDIX
 from results.reader import ResultError, Run
 from results.table import Table
 
+if TYPE_CHECKING:
+    from plots.drawing import Drawing, Picture
+
+
+def _of(place: str) -> Callable[[Run], Any]:
+    """Returns a function that imports what it draws. @param place "summary.overall" of plots/"""
+    module, name = place.split(".")
+
+    def draw(run: Run) -> Any:
+        return getattr(import_module(f"plots.{module}"), name)(run)
+
+    return draw
+
+
+def _wavefront_of(solver: str) -> Callable[[Run], Drawing]:
+    def draw(run: Run) -> Drawing:
+        from plots.wavefronts import appendix
+
+        return appendix(solver)(run)
+
+    return draw
+
+
 TABLES: dict[str, Callable[[Run], Table]] = {
-    "summary": summary.overall,
-    "summary_by_mesh": summary.by_mesh,
-    "times": summary.times,
-    "every_solver": summary.every,
-    "table_thesis": table_thesis.table,
-    "strip_depth": strip_depth.table,
-    "performance": performance.table,
-    "ratios": ratio_tables.ratios,
-    "claims": ratio_tables.claims,
-    "solvers": solvers.table,
-    "table_growth": growth.table,
-    "table_growth_exponents": growth.exponents,
-    "answers": answers.table,
-    "many_sources_numbers": many_sources.table,
-    "many_sources_errors": many_sources.errors,
-    "path_costs": path_costs.table,
-    "path_numbers": path_costs.by_mesh,
-    "further_sources": further_sources.table,
-    "twins": twins.table,
-    "twins_overall": twins.overall,
-    "break_even_numbers": break_even.table,
-    "which_to_take": frontier.which_to_take,
-    "which_to_take_mean": frontier.which_to_take_mean,
-    "robustness": robustness.matrix,
-    "robustness_counts": robustness.counts,
-    "robustness_failures": robustness.failures,
+    "summary": _of("summary.overall"),
+    "summary_by_mesh": _of("summary.by_mesh"),
+    "times": _of("summary.times"),
+    "every_solver": _of("summary.every"),
+    "table_thesis": _of("table_thesis.table"),
+    "strip_depth": _of("strip_depth.table"),
+    "performance": _of("performance.table"),
+    "ratios": _of("ratio_tables.ratios"),
+    "claims": _of("ratio_tables.claims"),
+    "solvers": _of("solvers.table"),
+    "table_growth": _of("growth.table"),
+    "table_growth_exponents": _of("growth.exponents"),
+    "answers": _of("answers.table"),
+    "many_sources_numbers": _of("many_sources.table"),
+    "many_sources_errors": _of("many_sources.errors"),
+    "path_costs": _of("path_costs.table"),
+    "path_numbers": _of("path_costs.by_mesh"),
+    "further_sources": _of("further_sources.table"),
+    "twins": _of("twins.table"),
+    "twins_overall": _of("twins.overall"),
+    "break_even_numbers": _of("break_even.table"),
+    "which_to_take": _of("frontier.which_to_take"),
+    "which_to_take_mean": _of("frontier.which_to_take_mean"),
+    "robustness": _of("robustness.matrix"),
+    "robustness_counts": _of("robustness.counts"),
+    "robustness_failures": _of("robustness.failures"),
 }
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
-    "peers_overview": peers_overview.figure,
-    "overview": overview.figure,
-    "performance_profile": performance_profile.figure,
-    "speedup": dot_figures.speedup,
-    "windows_over_limit": dot_figures.windows_over_limit,
-    "time_over_vertices": growth.figure,
-    "accuracy": dot_figures.accuracy,
-    "wavefront_and_isoline": wavefronts.wavefront_and_isoline,
-    "windows_on_wavefront": curves.windows,
-    "phases": phases.figure,
-    "wavefront_quality": dot_figures.wavefront_quality,
-    "wavefront_quality_over_progress": curves.spread,
-    "isolines": isoline_figure.figure,
-    "paths": paths.figure,
-    "cells": paths.cells,
-    "break_even": break_even.figure,
-    "frontier": frontier.figure,
-    "many_sources": many_sources.figure,
-    "paths_compared": path_costs.figure,
-    "error_map": error_map.figure,
-    **{f"wavefront_{solver.replace('-', '_')}": wavefronts.appendix(solver) for solver in wavefronts.APPENDIX},
+    "peers_overview": _of("peers_overview.figure"),
+    "overview": _of("overview.figure"),
+    "performance_profile": _of("performance_profile.figure"),
+    "speedup": _of("dot_figures.speedup"),
+    "windows_over_limit": _of("dot_figures.windows_over_limit"),
+    "time_over_vertices": _of("growth.figure"),
+    "accuracy": _of("dot_figures.accuracy"),
+    "wavefront_and_isoline": _of("wavefronts.wavefront_and_isoline"),
+    "windows_on_wavefront": _of("curves.windows"),
+    "phases": _of("phases.figure"),
+    "wavefront_quality": _of("dot_figures.wavefront_quality"),
+    "wavefront_quality_over_progress": _of("curves.spread"),
+    "isolines": _of("isoline_figure.figure"),
+    "paths": _of("paths.figure"),
+    "cells": _of("paths.cells"),
+    "break_even": _of("break_even.figure"),
+    "frontier": _of("frontier.figure"),
+    "many_sources": _of("many_sources.figure"),
+    "paths_compared": _of("path_costs.figure"),
+    "error_map": _of("error_map.figure"),
+    **{f"wavefront_{solver.replace('-', '_')}": _wavefront_of(solver) for solver in APPENDIX},
 }
 """Figures in the order of the report. A function raises ResultError if the run lacks the data."""
 
@@ -189,6 +209,8 @@ def _draw_files(run: Run, folder: Path, out: Path | None, name: str) -> Files:
             written[name] = one
             files = table.write(one, out or folder / "tables")
         else:
+            from plots import drawing
+
             written[name], files = drawing.write(one, name, out or folder / "figures")
         lines.append(f"{files[0]} (also {', '.join(dict.fromkeys(file.suffix for file in files[1:]))})")
     return Files(written, left_out, lines)

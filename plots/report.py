@@ -17,6 +17,7 @@ if __name__ == "__main__":
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from plots import headline
+from plots.catalogue import base_name, draw_files
 from results import outcomes
 from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table, mark
@@ -39,8 +40,6 @@ FEW = 4
 
 
 def page(run: Run, drawn: Mapping[str, Table | Picture], left_out: Mapping[str, str]) -> str:
-    from plots.catalogue import base_name  # it drew the figures, so it is imported already
-
     places = SECTION_OF | ({} if "summary_by_mesh" in map(base_name, drawn) else {"summary": "results"})
     tables: dict[str, dict[str, Table]] = {}
     pictures = {}
@@ -155,8 +154,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         __doc__, "geodesic-bench report", "geodesic-bench report results/runs/mine"
     )
     options = parser.parse_args(arguments)
-    from plots.catalogue import draw_files  # after --help, since matplotlib is slow to import
-
     try:
         folder = run_folder(options.run)
         run = read_run(folder)

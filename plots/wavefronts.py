@@ -24,7 +24,7 @@ from plots.recordings import MOMENTS, Recording, recordings
 from plots.panels import best_camera
 from plots.surface import draw_lines, draw_surface, edges
 from plots.zbuffer import NOTHING, ZBuffer
-from results.published import THESIS_SOLVERS
+from results.published import APPENDIX, THESIS_SOLVERS
 from results.reader import ResultError, Run
 
 NEAR = 2
@@ -67,10 +67,6 @@ class Pictures:
             f"Right: the square on the left, {self.close_up:.0f} mean edge lengths "
             f"wide, with the edges of the mesh. Hidden lines are left out.{where}"
         )
-
-
-APPENDIX = {"edge-based": "A.1", "mmp": "A.2", "fwp-mmp": "A.3", "ich": "A.4", "fwp-ch": "A.5"}
-"""The number of the appendix's figure that shows a solver's wavefront, by solver."""
 
 
 def wavefront_and_isoline(run: Run) -> Drawing:

@@ -16,6 +16,8 @@ METHODS = FILE.with_name("methods.json")
 
 THESIS_SOLVERS = ["mmp", "fwp-mmp", "ich", "fwp-ch", "edge-based"]
 """The columns of Table 5.2, in its order."""
+APPENDIX = {"edge-based": "A.1", "mmp": "A.2", "fwp-mmp": "A.3", "ich": "A.4", "fwp-ch": "A.5"}
+"""The number of the appendix's figure that shows a solver's wavefront, by solver."""
 
 Published = float | str | None
 """A number, or a text such as "out of memory", or None if the thesis has neither."""

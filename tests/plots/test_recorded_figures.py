@@ -19,8 +19,7 @@ from synthetic import SPREAD, changed_rows, without_recordings
 from plots import catalogue, isoline_figure, isolines, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
 from plots.recordings import recordings
-from plots.wavefronts import APPENDIX
-from results.published import THESIS_SOLVERS
+from results.published import APPENDIX, THESIS_SOLVERS
 from results.reader import ResultError, Run
 from results.table import Table
 
