@@ -142,7 +142,7 @@ class Verification {
     for (const MeshEntry& mesh : meshes) check(property, mesh);
     for (const FailedProperty& failed : failed_) report_.show(check_, failed);
     summarise();
-    if (request_.property.empty() && count_.failed == 0) {
+    if (name == kDistancesProperty && count_.failed == 0) {
       if (const std::string waste = waste_of(check_.solver()); !waste.empty()) {
         std::cout << "warning: " << waste << '\n';
       }

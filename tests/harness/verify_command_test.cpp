@@ -123,11 +123,12 @@ TEST_F(VerifyCommand, WarnsOfASolverThatPropagatesFarMoreWindowsThanItsFamily) {
     GTEST_SKIP() << "built without the family of Chen and Han";
   }
   const std::string warning = "times the windows of fwp-ch, of the same family";
-  const Output unordered = verify("ch", {});
+  const std::vector<std::string> distances = {"--property", kDistances};
+  const Output unordered = verify("ch", distances);
   EXPECT_EQ(unordered.code, 0) << unordered.err;
   EXPECT_NE(unordered.out.find("warning: ch propagates "), std::string::npos) << unordered.out;
   EXPECT_NE(unordered.out.find(warning), std::string::npos) << unordered.out;
-  EXPECT_EQ(verify("ich", {}).out.find("warning"), std::string::npos);
+  EXPECT_EQ(verify("ich", distances).out.find("warning"), std::string::npos);
 }
 
 TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
