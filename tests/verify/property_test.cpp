@@ -28,6 +28,9 @@ TEST_P(PropertyTest, holds) {
     std::cout << solver->name << std::endl;
     for (const Case& given : cases) {
       if (too_large(given, *solver)) continue;
+      // Ten thousand regions of 20 vertices take a hundred times as long as one.
+      const bool has_regions = solver->name.find('?') != std::string::npos;
+      if (has_regions && given.soup.triangles.size() > 50'000) continue;
       try {
         const Finding finding = check_case(property, *solver, given);
         EXPECT_FALSE(finding) << solver->name << " on " << given.mesh << ": " << property.statement
