@@ -178,7 +178,7 @@ def to_latex(table: Table) -> str:
         rf"% \usepackage{{adjustbox,booktabs}} \begin{{table*}} \caption{{{escape_latex(table.title)}}} "
         rf"\label{{tab:{table.name.replace('_', '-')}}} \input{{{table.name}}} \end{{table*}}",
         r"\begingroup\footnotesize\centering",
-        to_tabular(table) + r"\par\raggedright",
+        to_tabular(table) + r"\par\smallskip\raggedright",
         *(rf"\noindent {escape_latex(remark)}\par" for remark in table.remarks),
         *(
             rf"\noindent \textsuperscript{{{mark(index)}}} {escape_latex(note)}\par"
