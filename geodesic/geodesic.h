@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "meshes/connectivity.h"
+#include "meshes/isolines.h"
 #include "meshes/load.h"
 #include "meshes/point_solver.h"
 #include "solvers/paths/paths.h"
@@ -84,6 +85,15 @@ class Field {
   /// The source of the path to a vertex, as an index into the sources; kNone where no path leads.
   /// @throws std::invalid_argument for the other reasons of `path_to`
   Index nearest_source(Index vertex) const;
+
+  /// The lines of equal distance, interpolated linearly along the edges: meshes/isolines.h. Ten
+  /// levels: `field.isolines(field.levels(10))`.
+  /// @throws std::invalid_argument for a level that is no finite distance above 0
+  std::vector<Isoline> isolines(const std::vector<double>& levels) const {
+    return geodesic::isolines(*mesh_, distances(), levels);
+  }
+  /// `count` levels between 0 and the largest finite distance: `equal_levels`.
+  std::vector<double> levels(Index count) const { return equal_levels(distances(), count); }
 
  private:
   friend class DistanceSolver;

@@ -1,10 +1,11 @@
-// Writes files of paths: JSON for programs, OBJ and PLY for mesh viewers.
+// Writes files of paths and of isolines: JSON for programs, OBJ and PLY for mesh viewers.
 #pragma once
 
 #include <filesystem>
 #include <span>
 #include <string>
 
+#include "meshes/isolines.h"
 #include "meshes/messages.h"
 #include "solvers/paths/paths.h"
 
@@ -23,7 +24,17 @@ namespace geodesic {
 /// @throws MeshError for another extension, and if a PLY file cannot number so many points
 std::string path_bytes(std::span<const Path> paths, const std::filesystem::path& file);
 
-/// Checks the extension before paths are computed. @throws MeshError for another extension
+/// Returns the bytes of a file with isolines, in order, as `path_bytes` does:
+/// - .json: `{"isolines": [{"level": 1.5, "closed": true, "length": 9.4, "points": [...]}]}`
+/// - .obj: the lines of each level are in a group that is named as the level.
+/// - .ply: vertices with x, y, z and level; edges with vertex1, vertex2 and the number of their
+///   isoline.
+///
+/// A closed line has its first point twice in JSON, and one vertex for both in OBJ and PLY.
+/// @throws MeshError for the reasons of `path_bytes`
+std::string isoline_bytes(std::span<const Isoline> lines, const std::filesystem::path& file);
+
+/// Checks the extension before lines are computed. @throws MeshError for another extension
 void check_path_file(const std::filesystem::path& file);
 
 }  // namespace geodesic

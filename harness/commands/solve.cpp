@@ -33,23 +33,27 @@ void check_output(const std::string& flag, const std::string& output,
 
 /// @param output file for the distances; empty for none
 /// @return the JSON to print
-Json solve_mesh(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
+Json solve_mesh(const SolveFlags& flags, const Description& solver, const WrittenValues& values,
                 const MeshEntry& entry, const std::string& output) {
   Outputs outputs;
   if (!output.empty()) {
     if (output != kStandardOutput) check_output("--output", output, entry.file);
     outputs.distances.emplace(output);
   }
-  if (!flags.paths.empty()) {
-    check_path_file(flags.paths);
-    check_output("--paths", flags.paths, entry.file);
-    outputs.paths.emplace(flags.paths);
-  }
+  const auto open_lines = [&](std::optional<AtomicFile>& to, const char* flag,
+                              const std::string& file) {
+    if (file.empty()) return;
+    check_path_file(file);
+    check_output(flag, file, entry.file);
+    to.emplace(file);
+  };
+  open_lines(outputs.paths, "--paths", flags.paths);
+  open_lines(outputs.isolines, "--isolines", flags.isolines);
   const NonManifoldEdges non_manifold_edges =
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   const BuiltMesh built =
       build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
-  Problem problem = read_problem(flags, solver, entry, built, points);
+  Problem problem = read_problem(flags, solver, entry, built, values);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
   }
@@ -63,6 +67,7 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   json.update(flags.each ? solve_separately(problem, outputs) : solve_jointly(problem, outputs));
   if (outputs.distances) outputs.distances->commit();
   if (outputs.paths) outputs.paths->commit();
+  if (outputs.isolines) outputs.isolines->commit();
   return json;
 }
 
@@ -84,7 +89,7 @@ std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
 }
 
 /// Solves each mesh by itself. A mesh that cannot be solved is reported, and the others are solved.
-void solve_many(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
+void solve_many(const SolveFlags& flags, const Description& solver, const WrittenValues& values,
                 const std::vector<MeshEntry>& entries) {
   const std::vector<std::string> files = flags.output_folder.empty()
                                              ? std::vector<std::string>(entries.size())
@@ -92,7 +97,7 @@ void solve_many(const SolveFlags& flags, const Description& solver, const Writte
   std::size_t failed = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     try {
-      Json json = solve_mesh(flags, solver, points, entries[i], files[i]);
+      Json json = solve_mesh(flags, solver, values, entries[i], files[i]);
       if (!files[i].empty()) json["output"] = files[i];
       std::cout << json.dump() << std::endl;
     } catch (const CannotWrite&) {
@@ -123,16 +128,16 @@ std::string solver_in(const std::string& file) {
 void run_solve(SolveFlags& flags) {
   check_combination(flags);
   if (!flags.prepared.empty()) flags.solver = solver_in(flags.prepared);
-  const WrittenPoints points(flags);
+  const WrittenValues values(flags);
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
   std::vector<MeshEntry> entries;
   for (const std::string& mesh : flags.meshes) entries.push_back(find_mesh(mesh, flags.manifest));
   const LargePages large_pages;
   if (entries.size() > 1 || !flags.output_folder.empty()) {
-    return solve_many(flags, solver, points, entries);
+    return solve_many(flags, solver, values, entries);
   }
-  const Json json = solve_mesh(flags, solver, points, entries.front(), flags.output);
+  const Json json = solve_mesh(flags, solver, values, entries.front(), flags.output);
   (flags.output == kStandardOutput ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }
 
@@ -175,6 +180,15 @@ void add_solve_command(CLI::App& app) {
       ->add_option("--paths", flags->paths,
                    "file for the shortest paths to the targets: .obj, .ply or .json")
       ->type_name("FILE");
+  command
+      ->add_option("--isolines", flags->isolines,
+                   "file for the lines of equal distance at --levels: .obj, .ply or .json")
+      ->type_name("FILE");
+  command
+      ->add_option("--levels", flags->levels,
+                   "levels of the isolines: a number of them, equal steps apart up to the largest "
+                   "distance, or distances, separated by commas; 3 is a number, 3.0 a distance")
+      ->type_name("N|DISTANCES");
   command->add_flag("--nearest-source", flags->nearest_source,
                     "a second column of --output: the number of the nearest source in the list of "
                     "sources, -1 where no path leads");
@@ -231,7 +245,8 @@ void add_solve_command(CLI::App& app) {
       {"From where, to where",
        {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets",
         "--limit"}},
-      {"What is written", {"--output", "--out", "--nearest-source", "--paths"}},
+      {"What is written",
+       {"--output", "--out", "--nearest-source", "--paths", "--isolines", "--levels"}},
       {"How it is solved",
        {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
       {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},

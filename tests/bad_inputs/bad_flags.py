@@ -41,7 +41,7 @@ CASES = [
     flag(f"{SOLVE} --counters --each", "--counters is for one solve: leave out --each"),
     flag(f"{SOLVE} --check --limit 1", "--check is for distances without --limit"),
     of("solve", "hill.obj --solver", "--solver needs a value"),
-    flag(f"{SOLVE} hill.obj --output d.txt", "--output and --paths are files of one mesh"),
+    flag(f"{SOLVE} hill.obj --output d.txt", "--output, --paths and --isolines are files of one mesh"),
     flag(f"{SOLVE} hill.obj --out .", "two of the meshes would be written to ./hill.txt"),
     of("solve", "hill.obj --solver ''", "--solver: must not be empty"),
     of("solve", "hill.obj --limit 0,5", "--limit: '0,5' is not a number, such as 0.5"),

@@ -160,6 +160,20 @@ TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
   }
 }
 
+TEST(Field, has_isolines_that_close_on_a_closed_surface) {
+  const SurfaceMesh mesh = read_sphere();
+  for (const char* solver : {"edge-based", "dijkstra"}) {
+    const Field field = DistanceSolver(mesh, solver).from({0});
+    const std::vector<Isoline> lines = field.isolines(field.levels(5));
+    EXPECT_GE(lines.size(), 5u);
+    for (const Isoline& line : lines) EXPECT_TRUE(line.closed);
+    EXPECT_EQ(refusal([&] {
+                field.isolines({1, -1});
+              }),
+              "the level of an isoline must be a finite distance above 0, not -1");
+  }
+}
+
 TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
   const SurfaceMesh mesh = read_sphere();
   const auto [a, b, c] = kSphere.triangles[100];

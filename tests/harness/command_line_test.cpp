@@ -291,6 +291,31 @@ TEST_F(CommandLine, SolveWritesPathsAndTheNearestSources) {
   EXPECT_EQ(traced[1].at("length"), 0.0);
 }
 
+TEST_F(CommandLine, SolveWritesIsolinesOfEachLevel) {
+  const auto file = folder_ / "lines.json";
+  const nlohmann::json levels =
+      solve({"tetrahedron", "--source", "0", "--isolines", file.string(), "--levels", "0.5,0.25"})
+          .at("isolines");
+  const nlohmann::json lines = read_json(file).at("isolines");
+  ASSERT_EQ(levels.size(), 2u);
+  ASSERT_EQ(lines.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(levels[i].at("level"), i == 0 ? 0.5 : 0.25);
+    EXPECT_EQ(levels[i].at("lines"), 1);
+    EXPECT_EQ(levels[i].at("closed"), 1);
+    EXPECT_EQ(levels[i].at("length"), lines[i].at("length"));
+    EXPECT_EQ(lines[i].at("level"), levels[i].at("level"));
+  }
+  const auto count_of = [&](const char* levels_of) {
+    return solve(
+               {"tetrahedron", "--source", "0", "--isolines", file.string(), "--levels", levels_of})
+        .at("isolines")
+        .size();
+  };
+  EXPECT_EQ(count_of("3"), 3u);
+  EXPECT_EQ(count_of("3.0"), 1u);
+}
+
 TEST_F(CommandLine, SolveWritesPathsThatASolverTracesItself) {
   const auto file = folder_ / "paths.json";
   const nlohmann::json targets = solve({"hill", "--solver", "dijkstra", "--source", "7", "--target",

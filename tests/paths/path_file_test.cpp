@@ -8,6 +8,7 @@
 #include "meshes/oracles/random_meshes.h"
 #include "tests/message_of.h"
 #include "tests/paths/oracle_paths.h"
+#include "tests/shapes.h"
 
 namespace geodesic {
 namespace {
@@ -104,13 +105,78 @@ TEST_F(PathFile, as_ply_has_vertices_and_edges) {
   }
 }
 
+// A closed line, and one that ends at the border.
+std::vector<Isoline> closed_and_open_line() {
+  const Mesh mesh(fan(5, 0, 0));
+  std::vector<Isoline> lines = isolines(mesh, std::vector<double>{0, 1, 1, 1, 1, 1}, {0.25});
+  for (Isoline& line : isolines(mesh, std::vector<double>{1, 0, 1, 1, 1, 1}, {0.5})) {
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+TEST(IsolineFile, as_json_brings_every_number_back) {
+  const std::vector<Isoline> lines = closed_and_open_line();
+  const harness::Json json = harness::parse_json(isoline_bytes(lines, "a.json"), "a.json");
+  const harness::Json& all = json.at("isolines");
+  ASSERT_EQ(all.size(), 2u);
+  for (std::size_t l = 0; l < 2; ++l) {
+    EXPECT_EQ(all.at(l).at("level"), lines[l].level);
+    EXPECT_EQ(all.at(l).at("closed"), l == 0);
+    EXPECT_EQ(all.at(l).at("length"), lines[l].length());
+    ASSERT_EQ(all.at(l).at("points").size(), lines[l].points.size());
+    for (std::size_t i = 0; i < lines[l].points.size(); ++i) {
+      const harness::Json& point = all.at(l).at("points").at(i);
+      EXPECT_EQ(point.at("position"), harness::Json(lines[l].points[i].position));
+      const bool last = i + 1 == lines[l].points.size();
+      EXPECT_EQ(point.at("next_face"),
+                last ? harness::Json() : harness::Json(lines[l].points[i].face));
+    }
+  }
+}
+
+TEST(IsolineFile, as_obj_closes_lines_at_their_first_vertex) {
+  std::istringstream text(isoline_bytes(closed_and_open_line(), "a.obj"));
+  std::string others;
+  std::size_t vertices = 0;
+  for (std::string line; std::getline(text, line);) {
+    line.starts_with("v ") ? void(++vertices) : void(others += line + '\n');
+  }
+  EXPECT_EQ(vertices, 8u);
+  EXPECT_EQ(others, "g 0.25\nl 1 2 3 4 5 1\ng 0.5\nl 6 7 8\n");
+}
+
+TEST(IsolineFile, as_ply_closes_lines_at_their_first_vertex) {
+  const std::string bytes = isoline_bytes(closed_and_open_line(), "a.ply");
+  for (const char* part :
+       {"element vertex 8\n", "element edge 7\n", "double level\n", "int isoline\n"}) {
+    EXPECT_NE(bytes.find(part), std::string::npos) << part;
+  }
+  const std::string end = "end_header\n";
+  const char* at = bytes.data() + bytes.find(end) + end.size();
+  ASSERT_EQ(bytes.data() + bytes.size() - at, 8 * 32 + 7 * 12);
+  for (int v = 0; v < 8; ++v, at += 32) {
+    EXPECT_EQ(load_number<double>(at + 24, std::endian::little), v < 5 ? 0.25 : 0.5);
+  }
+  std::vector<std::array<std::int32_t, 3>> edges(7);
+  for (auto& edge : edges) {
+    for (std::int32_t& part : edge) {
+      part = load_number<std::int32_t>(std::exchange(at, at + 4), std::endian::little);
+    }
+  }
+  EXPECT_EQ(edges,
+            (std::vector<std::array<std::int32_t, 3>>{
+                {0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {4, 0, 0}, {5, 6, 1}, {6, 7, 1}}));
+}
+
 TEST_F(PathFile, of_another_kind_is_refused_in_one_line) {
   EXPECT_THROW(path_bytes(paths_, "a.txt"), MeshError);
   EXPECT_EQ(message_of<MeshError>([] { check_path_file("paths.csv"); }),
-            "cannot write 'paths.csv': paths are written as .json, .obj or .ply");
+            "cannot write 'paths.csv': paths and isolines are written as .json, .obj or .ply");
 }
 
 TEST_F(PathFile, may_hold_no_path) {
+  EXPECT_EQ(isoline_bytes({}, "a.json"), "{\"isolines\":[]}\n");
   EXPECT_TRUE(harness::parse_json(path_bytes({}, "a.json"), "a.json").at("paths").empty());
   EXPECT_EQ(path_bytes({}, "a.obj"), "");
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 #include "harness/base/clock.h"
@@ -16,6 +17,7 @@
 #include "harness/results/row.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
+#include "meshes/isolines.h"
 #include "meshes/path_file.h"
 #include "solvers/core/prepared_file.h"
 #include "solvers/paths/paths.h"
@@ -199,6 +201,25 @@ void write_paths(const Problem& problem, const Solved& solved, AtomicFile& file)
   file.stream() << path_bytes(traced, problem.flags.paths);
 }
 
+// Writes the isolines and returns what each level has.
+Json write_isolines(const Problem& problem, const Solved& solved, AtomicFile& file) {
+  const auto [count, given] = problem.levels;
+  Json levels = Json::array();
+  std::vector<Isoline> all;
+  for (const double level : count > 0 ? equal_levels(solved.distances, count) : given) {
+    std::vector<Isoline> lines = isolines(problem.mesh, solved.distances, {level});
+    double length = 0;
+    for (const Isoline& line : lines) length += line.length();
+    levels.push_back({{"level", level},
+                      {"lines", lines.size()},
+                      {"closed", std::ranges::count(lines, true, &Isoline::closed)},
+                      {"length", length}});
+    std::ranges::move(lines, std::back_inserter(all));
+  }
+  file.stream() << isoline_bytes(all, problem.flags.isolines);
+  return levels;
+}
+
 Json shown_targets(const Problem& problem, const Solved& solved) {
   Json targets = Json::array();
   for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
@@ -230,6 +251,7 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
   }
   if (!problem.query.targets.empty()) json["targets"] = shown_targets(problem, solved);
   json.update(solved.json);
+  if (outputs.isolines) json["isolines"] = write_isolines(problem, solved, *outputs.isolines);
   return json;
 }
 

@@ -13,13 +13,13 @@ namespace geodesic::harness {
 /// Output files. They are opened before the work, so that a bad path costs no solve.
 struct Outputs {
   std::optional<DistanceFile> distances;
-  std::optional<AtomicFile> paths;
+  std::optional<AtomicFile> paths, isolines;
 };
 
 /// Prints a warning for the user on the error stream.
 void warn(const std::string& warning);
 
-/// Computes the distances from the nearest of the sources, and paths.
+/// Computes the distances from the nearest of the sources, paths, and isolines.
 /// @throws WrongAnswer, HarnessError, as the other functions do
 Json solve_jointly(const Problem& problem, Outputs& outputs);
 

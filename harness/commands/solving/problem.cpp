@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "harness/base/error.h"
 #include "harness/commands/solving/answers.h"
+#include "meshes/isolines.h"
 #include "meshes/nearest_point.h"
 #include "solvers/core/messages.h"
+#include "solvers/core/number_text.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
@@ -28,6 +31,27 @@ std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<s
   for (const std::string& word : words) add(parse_points(word, "--" + flag));
   if (!file.empty()) add(read_points(file, "--" + flag + "s-file"));
   return points;
+}
+
+Levels parse_levels(const std::string& text) {
+  Levels levels;
+  const auto refuse = [&] {
+    throw HarnessError("--levels: '" + text + "' is neither a number of levels, from 1 to " +
+                       std::to_string(kMostLevels) +
+                       ", nor distances above 0, such as 0.5 or 1,2.5");
+  };
+  if (text.find_first_not_of("0123456789") == std::string::npos) {
+    levels.count = number_in<Index>(text).value_or(0);
+    if (levels.count == 0 || levels.count > kMostLevels) refuse();
+    return levels;
+  }
+  for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
+    end = std::min(text.find(',', begin), text.size());
+    const auto word = std::string_view(text).substr(begin, end - begin);
+    levels.given.push_back(number_in<double>(word).value_or(0));
+    if (!(levels.given.back() > 0 && levels.given.back() < kInfinity)) refuse();
+  }
+  return levels;
 }
 
 // Checks that the solver has the abilities that the flags and the query need.
@@ -103,8 +127,9 @@ void check_combination(const SolveFlags& flags) {
   const auto refuse = [](const std::string& why) { throw HarnessError(why); };
   const bool targets = !flags.targets.empty() || !flags.targets_file.empty();
   const bool sources = !flags.sources.empty() || !flags.sources_file.empty();
-  if (flags.meshes.size() > 1 && !(flags.output.empty() && flags.paths.empty())) {
-    refuse("--output and --paths are files of one mesh: with several use --out");
+  if (flags.meshes.size() > 1 &&
+      !(flags.output.empty() && flags.paths.empty() && flags.isolines.empty())) {
+    refuse("--output, --paths and --isolines are files of one mesh: with several use --out");
   }
   if (flags.meshes.size() > 1 && !(flags.prepared.empty() && flags.save_prepared.empty())) {
     refuse("--prepared and --save-prepared are files of one mesh");
@@ -113,6 +138,18 @@ void check_combination(const SolveFlags& flags) {
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
     refuse("--paths and --nearest-source are for one solve: leave out --each");
+  }
+  if (flags.each && !flags.isolines.empty())
+    refuse("--isolines is for one solve: leave out --each");
+  if (flags.isolines.empty() != flags.levels.empty()) {
+    refuse("--isolines and --levels need each other: a file, and the distances of its lines");
+  }
+  const auto place_of = [](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (!flags.isolines.empty() && !flags.paths.empty() &&
+      place_of(flags.isolines) == place_of(flags.paths)) {
+    refuse("--isolines and --paths need a file each");
   }
   if (flags.check && (std::isfinite(flags.limit) || flags.stop_at_targets)) {
     refuse("--check is for distances without --limit and --stop-at-targets");
@@ -124,15 +161,17 @@ void check_combination(const SolveFlags& flags) {
   }
 }
 
-WrittenPoints::WrittenPoints(const SolveFlags& flags)
+WrittenValues::WrittenValues(const SolveFlags& flags)
     : sources(points_of("source", flags.sources, flags.sources_file)),
-      targets(points_of("target", flags.targets, flags.targets_file)) {}
+      targets(points_of("target", flags.targets, flags.targets_file)) {
+  if (!flags.levels.empty()) levels = parse_levels(flags.levels);
+}
 
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
-                     const BuiltMesh& built, const WrittenPoints& points) {
+                     const BuiltMesh& built, const WrittenValues& values) {
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
-  const ThreadShares shares = share_threads(flags, solver, points.sources.size());
+  const ThreadShares shares = share_threads(flags, solver, values.sources.size());
   Problem problem{flags,
                   with_threads(solver, shares.within),
                   shares.sources,
@@ -140,6 +179,7 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                   built.loaded.soup,
                   *built.mesh,
                   {}};
+  problem.levels = values.levels;
   problem.query.limit = flags.limit;
   problem.query.stop_at_targets = flags.stop_at_targets;
   const NearestPointSearch surface(problem.mesh);
@@ -154,11 +194,11 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     }
     return found;
   };
-  for (const WrittenPoint& source : points.sources) {
+  for (const WrittenPoint& source : values.sources) {
     const PlacedPoint at = placed(source);
     problem.query.sources.push_back({.at = at.at, .distance = at.initial});
   }
-  for (const WrittenPoint& target : points.targets) {
+  for (const WrittenPoint& target : values.targets) {
     if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
     problem.query.targets.push_back(placed(target).at);
   }

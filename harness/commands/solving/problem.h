@@ -18,7 +18,7 @@ struct SolveFlags {
   std::vector<std::string> meshes;
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
-  std::string sources_file, targets_file, output, output_folder, paths;
+  std::string sources_file, targets_file, output, output_folder, paths, isolines, levels;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false;
@@ -34,6 +34,19 @@ bool wants_paths(const SolveFlags& flags);
 /// Checks that the flags go together, before anything is read. @throws HarnessError
 void check_combination(const SolveFlags& flags);
 
+/// The levels of isolines: some number of them, equal steps apart, or distances.
+struct Levels {
+  Index count = 0;
+  std::vector<double> given;  ///< if count is 0
+};
+
+/// The points and levels that the flags name, before a mesh is read. @throws HarnessError
+struct WrittenValues {
+  explicit WrittenValues(const SolveFlags& flags);
+  std::vector<WrittenPoint> sources, targets;
+  Levels levels;
+};
+
 /// The problem, read and checked.
 struct Problem {
   const SolveFlags& flags;
@@ -43,20 +56,15 @@ struct Problem {
   const TriangleSoup& soup;
   const Mesh& mesh;
   Query query;
+  Levels levels = {};
   Json places = Json::array();  ///< for points that are given as places in space
   std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
 };
 
-/// The points that the flags name, before a mesh is read. @throws HarnessError
-struct WrittenPoints {
-  explicit WrittenPoints(const SolveFlags& flags);
-  std::vector<WrittenPoint> sources, targets;
-};
-
-/// @param built from the entry's file. All arguments except `points` must outlive the problem
+/// @param built from the entry's file. All arguments except `values` must outlive the problem
 /// @throws HarnessError for points that the mesh does not have, and for requests beyond the
 ///         solver's abilities
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
-                     const BuiltMesh& built, const WrittenPoints& points);
+                     const BuiltMesh& built, const WrittenValues& values);
 
 }  // namespace geodesic::harness
