@@ -12,11 +12,11 @@ of one sentence. Ctrl-C ends every call immediately; a solve that has begun cont
 from geodesic_bench._native import Defect, Solver, __version__
 from geodesic_bench.arrays import Place
 from geodesic_bench.functions import benchmark, verify
-from geodesic_bench.mesh import Mesh, Path, defects, read_mesh, solvers
+from geodesic_bench.mesh import Isoline, Mesh, Path, defects, read_mesh, solvers
 from geodesic_bench.prepared import Certificate, Prepared
 from geodesic_bench.program import Results, run
 
 __all__ = [
-    "Certificate", "Defect", "Mesh", "Path", "Place", "Prepared", "Results", "Solver", "__version__",
+    "Certificate", "Defect", "Isoline", "Mesh", "Path", "Place", "Prepared", "Results", "Solver", "__version__",
     "benchmark", "defects", "read_mesh", "run", "solvers", "verify",
 ]  # fmt: skip

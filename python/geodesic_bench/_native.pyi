@@ -101,6 +101,13 @@ def distances_and_nearest(
 def paths(
     pool: SolverPool, source: SurfacePoints, targets: SurfacePoints
 ) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
+MOST_LEVELS: int
+
+def equal_levels(distances: NDArray[np.float64], count: int) -> NDArray[np.float64]: ...
+def isolines(
+    mesh: SharedMesh, distances: NDArray[np.float64], levels: NDArray[np.float64]
+) -> list[tuple[float, bool, NDArray[np.float64], _Indices, NDArray[np.float64]]]:
+    """Returns the fields of mesh.Isoline."""
 def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...

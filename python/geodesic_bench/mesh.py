@@ -87,6 +87,26 @@ class Path:
         return float(self.travelled[-1])
 
 
+@dataclass(frozen=True, eq=False)
+class Isoline:
+    """A line on which the distance, interpolated linearly along the edges, is the level."""
+
+    level: float
+    """A distance, in the unit of the coordinates."""
+    closed: bool
+    """Whether the last point is the first one again."""
+    points: NDArray[np.float64]
+    """(k, 3): points on edges and at vertices, k > 1."""
+    faces: NDArray[np.uint32]
+    """(k - 1,): the face that the line crosses, in a straight line, between each point and the next."""
+    travelled: NDArray[np.float64]
+    """(k,): length of the line up to each point, in the unit of the coordinates."""
+
+    @property
+    def length(self) -> float:
+        return float(self.travelled[-1])
+
+
 class Mesh:
     """A triangle mesh for queries of distances and paths. It is immutable, and any number of threads may
     use it.
@@ -310,6 +330,48 @@ class Mesh:
         begin = self._points(source, "source", surface_point)
         pool = self._pool(solver, parameters, self.paths)
         return [Path(*path) for path in _native.paths(pool, begin, ends)]
+
+    def isolines(self, distances: ArrayLike, levels: int | Sequence[float] | NDArray[Any]) -> list[Isoline]:
+        """Returns the lines of equal distance, ordered by level, then by their face of least number.
+
+        Parameters
+        ----------
+        distances : (n,) numbers, >= 0 or inf
+            One for each vertex, from `distances`. They are interpolated linearly along the edges.
+        levels : int, or (k,) numbers > 0
+            Distances, whose lines are returned in their order; or the number of levels, which then cut the
+            range from 0 to the largest finite distance into equal steps, without its ends.
+
+        A line closes, or ends at a boundary, at an edge of more than two faces, or at a face with a vertex
+        whose distance is inf. Smaller distances lie on its left, seen from outside. A vertex whose distance
+        is the level counts as farther, and a line that would be this vertex alone is left out.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> (line,) = mesh.isolines(mesh.distances(0), [2])
+        >>> line.points
+        array([[2., 0., 0.],
+               [0., 2., 0.]])
+        >>> line.level, line.closed, line.faces, round(line.length, 6)
+        (2.0, False, array([0], dtype=uint32), 2.828427)
+        >>> [line.level for line in mesh.isolines(mesh.distances(0), 3)]
+        [1.0, 2.0, 3.0]
+        """
+        field = numbers(distances, "distances")
+        if field.shape != (len(self.vertices),):
+            raise ValueError(
+                f"distances must have the shape ({len(self.vertices)},), one a vertex, not {field.shape}"
+            )
+        if isinstance(levels, int | np.integer) and not isinstance(levels, bool):
+            if not 1 <= levels <= _native.MOST_LEVELS:
+                raise ValueError(
+                    f"the number of levels must be between 1 and {_native.MOST_LEVELS}, not {levels}"
+                )
+            chosen = _native.equal_levels(field, int(levels))
+        else:
+            chosen = numbers(levels, "levels")
+            if chosen.ndim != 1:
+                raise ValueError(f"levels must be their number, an integer, or a list, such as [0.5], not {levels!r}")
+        return [Isoline(*line) for line in _native.isolines(self._shared, field, chosen)]
 
     @overload
     def nearest_point(self, places: Sequence[float]) -> tuple[SurfacePoint, float]: ...

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "meshes/defects.h"
+#include "meshes/isolines.h"
 #include "meshes/load.h"
 #include "meshes/messages.h"
 #include "meshes/row_solver.h"
@@ -108,7 +109,8 @@ py::array view_of(const std::vector<std::array<T, 3>>& rows, const py::object& o
   return view;
 }
 
-std::vector<Index> indices_of(const Array<Index>& array) {
+template <class T>
+std::vector<T> values_of(const Array<T>& array) {
   return {array.data(), array.data() + array.size()};
 }
 
@@ -176,7 +178,7 @@ std::pair<SurfacePoints, std::string> surface_points(const SharedMeshPointer& me
                                                      const Array<Index>& vertices,
                                                      const Array<Index>& faces,
                                                      const Array<double>& weights) {
-  const std::vector<Index> at = indices_of(vertices), in = indices_of(faces);
+  const std::vector<Index> at = values_of(vertices), in = values_of(faces);
   const std::vector<Vec3> numbers = rows_of(weights);
   std::vector<Vec3> places;
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -309,15 +311,15 @@ py::tuple distances_and_nearest(const PoolPointer& pool, const SurfacePoints& so
 }
 
 /// @return positions of shape (k, 3), the k - 1 faces between them, and the length up to each
-py::tuple arrays_of(const Path& path) {
+py::tuple arrays_of(const std::vector<PathPoint>& points) {
   std::vector<double> positions, travelled;
   std::vector<Index> faces;
-  for (const PathPoint& each : path.points) {
+  for (const PathPoint& each : points) {
     positions.insert(positions.end(), each.position.begin(), each.position.end());
     travelled.push_back(each.travelled);
     if (each.face != kNone) faces.push_back(each.face);
   }
-  const auto count = static_cast<py::ssize_t>(path.points.size());
+  const auto count = static_cast<py::ssize_t>(points.size());
   return py::make_tuple(array_of(std::move(positions), {count, 3}), array_of(std::move(faces)),
                         array_of(std::move(travelled)));
 }
@@ -334,8 +336,21 @@ py::list paths(const PoolPointer& pool, const SurfacePoints& source, const Surfa
     return to_each;
   });
   py::list arrays;
-  for (const Path& each : found) arrays.append(arrays_of(each));
+  for (const Path& each : found) arrays.append(arrays_of(each.points));
   return arrays;
+}
+
+/// @return for each isoline its level, whether it is closed, and arrays_of its points
+py::list isolines(const SharedMeshPointer& mesh, const Array<double>& distances,
+                  const Array<double>& levels) {
+  const std::vector<Isoline> found =
+      in_background([mesh = mesh->mesh(), own = values_of(distances), levels = values_of(levels)](
+                        Task&) { return geodesic::isolines(*mesh, own, levels); });
+  py::list lines;
+  for (const Isoline& each : found) {
+    lines.append(py::make_tuple(each.level, each.closed) + arrays_of(each.points));
+  }
+  return lines;
 }
 
 /// Distances from each source by itself. Rows have the order of the sources, columns the order of
@@ -519,6 +534,11 @@ PYBIND11_MODULE(_native, module) {
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
   module.def("paths", &paths);
+  module.attr("MOST_LEVELS") = kMostLevels;
+  module.def("equal_levels", [](const Array<double>& distances, Index count) {
+    return array_of(equal_levels(values_of(distances), count));
+  });
+  module.def("isolines", &isolines);
   module.def("nearest_points", &nearest_points);
   define_matrices<double>(module);
   define_matrices<float>(module);

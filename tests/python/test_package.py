@@ -42,7 +42,9 @@ def test_stubs_name_what_the_compiled_module_has() -> None:
 
     def stubbed(body: list[ast.stmt]) -> set[str]:
         kinds = (ast.FunctionDef, ast.ClassDef)
-        return {s.name for s in body if isinstance(s, kinds) and not s.name.startswith("__")}
+        names = {s.name for s in body if isinstance(s, kinds)}
+        names |= {ast.unparse(s.target) for s in body if isinstance(s, ast.AnnAssign)}
+        return {name for name in names if not name.startswith("__")}
 
     def there(of: object) -> set[str]:
         return {name for name in vars(of) if not name.startswith("_")}
@@ -56,7 +58,7 @@ def test_stubs_name_what_the_compiled_module_has() -> None:
 def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for name in gb.__all__:
         assert getattr(gb, name).__doc__, name
-    for method in (gb.Mesh.distances, gb.Mesh.paths, gb.Mesh.nearest_point,
+    for method in (gb.Mesh.distances, gb.Mesh.isolines, gb.Mesh.paths, gb.Mesh.nearest_point,
                    gb.Mesh.distance_matrix, gb.Mesh.prepare, gb.Mesh.load_prepared, gb.Prepared.save, gb.read_mesh, gb.run, gb.benchmark):
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]
