@@ -5,6 +5,7 @@
 //   const Field field = solver.from({0, point_in_face(mesh, 7, {.2, .3, .5})});
 //   const double distance = field[12];
 //   const Path path = field.path_to(point_on_edge(mesh, 3, 7, .25));
+//   const std::vector<double> of_pairs = pair_distances(mesh, pairs);   // a vector of PointPair
 //
 // All vertex and face numbers are those of the file. Distances have its unit of length.
 #pragma once
@@ -22,6 +23,7 @@
 #include "meshes/connectivity.h"
 #include "meshes/isolines.h"
 #include "meshes/load.h"
+#include "meshes/pair_distances.h"
 #include "meshes/point_solver.h"
 #include "solvers/paths/paths.h"
 

@@ -108,6 +108,9 @@ def isolines(
     mesh: SharedMesh, distances: NDArray[np.float64], levels: NDArray[np.float64]
 ) -> list[tuple[float, bool, NDArray[np.float64], _Indices, NDArray[np.float64]]]:
     """Returns the fields of mesh.Isoline."""
+def pair_distances(
+    pool: SolverPool, a: SurfacePoints, b: SurfacePoints, threads: int
+) -> NDArray[np.float64]: ...
 def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...

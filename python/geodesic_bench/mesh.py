@@ -373,6 +373,46 @@ class Mesh:
                 raise ValueError(f"levels must be their number, an integer, or a list, such as [0.5], not {levels!r}")
         return [Isoline(*line) for line in _native.isolines(self._shared, field, chosen)]
 
+    def pair_distances(
+        self,
+        a: SurfacePoints,
+        b: SurfacePoints,
+        *,
+        threads: int = 0,
+        solver: str | Prepared = FASTEST,
+        **parameters: float | str,
+    ) -> NDArray[np.float64]:
+        """Returns the distance from each point of a list to the point at the same place of another list.
+
+        Pairs that share a point take one solve, which ends at the farthest of their other points. An exact
+        solver begins at the points of `b` if fewer of them differ, since its distances are symmetric.
+
+        Parameters
+        ----------
+        a, b : (k,) integers, or k points, or one
+            As the sources of `distances`.
+        threads : int
+            As in `distance_matrix`.
+        solver : str or Prepared
+        parameters
+            As in `distances`.
+
+        Returns
+        -------
+        (k,) float64
+            Distances in the unit of the coordinates and the order of the pairs; inf where no path leads.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.pair_distances([0, 1, 0], [1, 2, (0, (0, 1, 1))])
+        array([3. , 5. , 2.5])
+        """
+        begins, ends = self._points(a, "point of a"), self._points(b, "point of b")
+        if len(begins) != len(ends):
+            raise ValueError(f"a and b must have as many points: {len(begins)} and {len(ends)}")
+        workers = _number_of_threads(threads)
+        pool = self._pool(solver, parameters, self.pair_distances)
+        return _native.pair_distances(pool, begins, ends, workers)
+
     @overload
     def nearest_point(self, places: Sequence[float]) -> tuple[SurfacePoint, float]: ...
     @overload

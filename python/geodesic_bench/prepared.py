@@ -106,6 +106,10 @@ class Prepared:
         """As `Mesh.paths`."""
         return self.mesh.paths(source, targets, solver=self)
 
+    def pair_distances(self, a: SurfacePoints, b: SurfacePoints, *, threads: int = 0) -> NDArray[np.float64]:
+        """As `Mesh.pair_distances`."""
+        return self.mesh.pair_distances(a, b, threads=threads, solver=self)
+
     def distance_matrix(
         self,
         rows: SurfacePoints | None = None,

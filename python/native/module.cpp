@@ -31,6 +31,7 @@
 #include "meshes/isolines.h"
 #include "meshes/load.h"
 #include "meshes/messages.h"
+#include "meshes/pair_distances.h"
 #include "meshes/row_solver.h"
 #include "meshes/threads.h"
 #include "python/native/background.h"
@@ -351,6 +352,23 @@ py::list isolines(const SharedMeshPointer& mesh, const Array<double>& distances,
     lines.append(py::make_tuple(each.level, each.closed) + arrays_of(each.points));
   }
   return lines;
+/// A solver that returns to its pool with its last owner.
+std::shared_ptr<PointSolver> borrowed(const PoolPointer& pool) {
+  const auto own = std::make_shared<BorrowedSolver>(pool);
+  return {own, &**own};
+}
+
+/// @param a, b as many points: the ends of each pair
+py::array_t<double> pair_distances(const PoolPointer& pool, const SurfacePoints& a,
+                                   const SurfacePoints& b, unsigned threads) {
+  return array_of(in_background([=](Task& task) {
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < a.points.size(); ++i) pairs.push_back({a.points[i], b.points[i]});
+    const GroupedPairs grouped(pool->solver(), pairs);
+    const PoolPointer able = pool_for(pool, grouped.sources(), grouped.targets());
+    return grouped.distances(
+        *pool->mesh(), threads, [&] { return borrowed(able); }, [&] { task.throw_if_abandoned(); });
+  }));
 }
 
 /// Distances from each source by itself. Rows have the order of the sources, columns the order of
@@ -378,8 +396,7 @@ void solve_rows(const Matrix& matrix, Task& task,
   const PoolPointer pool = pool_for(matrix.pool, sources, asked.targets);
   const std::size_t count = matrix.width() > 0 ? sources.size() : 0;
   do_in_threads(count, matrix.threads, [&]() -> Worker {
-    const auto own = std::make_shared<BorrowedSolver>(pool);
-    RowSolver solver(std::shared_ptr<PointSolver>(own, &**own), *matrix.pool->mesh(), asked);
+    RowSolver solver(borrowed(pool), *matrix.pool->mesh(), asked);
     return [&, solver = std::move(solver)](std::size_t i) mutable {
       task.throw_if_abandoned();
       solver.solve({.at = sources[i]});
@@ -539,6 +556,7 @@ PYBIND11_MODULE(_native, module) {
     return array_of(equal_levels(values_of(distances), count));
   });
   module.def("isolines", &isolines);
+  module.def("pair_distances", &pair_distances);
   module.def("nearest_points", &nearest_points);
   define_matrices<double>(module);
   define_matrices<float>(module);

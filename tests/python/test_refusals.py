@@ -87,12 +87,20 @@ def test_arrays_that_are_no_mesh_are_refused(vertices: Any, faces: Any, sentence
         ({"rows": [0], "dtype": "single precision"}, "dtype must be float64 or float32, not single p"),
         ({"rows": [0], "dtype": "int8"}, "dtype must be float64 or float32, not int8"),
         ({"rows": [0], "limit": -1}, "edge-based: the distance limit must not be negative"),
+        ({"a": [0, 1, 2], "b": [0, 1]}, "a and b must have as many points: 3 and 2"),
+        ({"a": 0, "b": [0, 1]}, "a and b must have as many points: 1 and 2"),
+        ({"a": [[0, 1], [1, 2]], "b": [0, 1]}, "point of a vertices must be a list of indices, not of shape (2, 2)"),
+        ({"a": [0], "b": [9]}, "point of b vertex 9 is not in the mesh of 3 vertices"),
+        ({"a": [0.5], "b": [0]}, "point of a vertices must be integers, not float64"),
+        ({"a": [0], "b": [0], "threads": -1}, "threads must be an integer between 0 and 1024, not -1"),
+        ({"a": [0], "b": [0], "n_jobs": 2}, "no argument named 'n_jobs' (did you mean 'threads'?)"),
     ],
 )  # fmt: skip
 def test_queries_that_have_no_answer_are_refused(query: dict[str, Any], sentence: str) -> None:
     mesh = gb.Mesh(CORNERS, FACE)
     with pytest.raises(ValueError) as refused:
-        (mesh.distances if "sources" in query else mesh.distance_matrix)(**query)
+        ask = {"sources": mesh.distances, "a": mesh.pair_distances}
+        ask.get(next(iter(query)), mesh.distance_matrix)(**query)
     assert str(refused.value).startswith(sentence)
     assert mesh.distances(0)[0] == 0
 
