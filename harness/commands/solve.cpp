@@ -64,7 +64,8 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
             {"faces", problem.mesh.given_face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
   if (!problem.places.empty()) json["places"] = problem.places;
-  json.update(flags.each ? solve_separately(problem, outputs) : solve_jointly(problem, outputs));
+  const auto answer = problem.grouped ? solve_pairs : flags.each ? solve_separately : solve_jointly;
+  json.update(answer(problem, outputs));
   if (outputs.distances) outputs.distances->commit();
   if (outputs.paths) outputs.paths->commit();
   if (outputs.isolines) outputs.isolines->commit();
@@ -173,6 +174,12 @@ void add_solve_command(CLI::App& app) {
       ->add_option("--targets-file", flags->targets_file,
                    "file of targets, in the formats of --sources-file")
       ->type_name("FILE");
+  CLI::Option* const pairs =
+      command
+          ->add_option("--pairs", flags->pairs_file,
+                       "file of pairs of points whose distance is wanted: two points a line, or a "
+                       "JSON list of lists of two, written as in --sources-file")
+          ->type_name("FILE");
   command->add_flag("--stop-at-targets", flags->stop_at_targets,
                     "end when the targets are reached; vertices farther than all of them are "
                     "unreachable");
@@ -194,16 +201,17 @@ void add_solve_command(CLI::App& app) {
                     "sources, -1 where no path leads");
   command->add_flag("--each", flags->each, "solve from each source separately");
   command
-      ->add_option(
-          "--threads", flags->threads,
-          "threads that work at the same time (default 1): with --each each on a source of its own "
-          "while there are enough, otherwise on one source, where the solver can (edge-based)")
+      ->add_option("--threads", flags->threads,
+                   "threads that work at the same time (default 1): with --each and --pairs each "
+                   "on a source of its own while there are enough, otherwise on one source, where "
+                   "the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
-      ->add_option("-o,--output", flags->output,
-                   "file for the distances, .txt, .csv or .npy: one a vertex, or with --each a row "
-                   "a source; - is standard output, and the JSON object then goes to standard "
-                   "error")
+      ->add_option(
+          "-o,--output", flags->output,
+          "file for the distances, .txt, .csv or .npy: one a vertex, with --pairs one a pair, "
+          "or with --each a row a source; - is standard output, and the JSON object then goes to "
+          "standard error")
       ->type_name("FILE");
   command
       ->add_option("--out", flags->output_folder,
@@ -243,7 +251,7 @@ void add_solve_command(CLI::App& app) {
       ->type_name("FILE");
   const std::initializer_list<std::pair<const char*, std::vector<const char*>>> groups = {
       {"From where, to where",
-       {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets",
+       {"--source", "--sources-file", "--target", "--targets-file", "--pairs", "--stop-at-targets",
         "--limit"}},
       {"What is written",
        {"--output", "--out", "--nearest-source", "--paths", "--isolines", "--levels"}},
@@ -254,10 +262,16 @@ void add_solve_command(CLI::App& app) {
   for (const auto& [group, options] : groups) {
     for (const char* option : options) command->get_option(option)->group(group);
   }
+  for (const char* other :
+       {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets", "--limit",
+        "--nearest-source", "--paths", "--each", "--check", "--counters"}) {
+    pairs->excludes(other);
+  }
   command->footer(
       "\nExamples:\n  geodesic-bench solve bunny.ply --source 0 --output d.npy\n"
       "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
+      "  geodesic-bench solve bunny.ply --pairs pairs.csv --threads 4 --output d.csv\n"
       "  geodesic-bench solve scans/*.ply --source 0 --out distances");
   command->callback([flags] { run_solve(*flags); });
 }

@@ -139,11 +139,12 @@ struct Row {
   std::vector<std::string> words;
 
   std::string text() const { return join(words, ","); }
-  bool has_three_numbers() const {
-    return words.size() == 3 && std::ranges::all_of(words, [](const std::string& word) {
+  bool has_numbers(std::size_t count) const {
+    return words.size() == count && std::ranges::all_of(words, [](const std::string& word) {
              return number_in<double>(word).has_value();
            });
   }
+  bool has_three_numbers() const { return has_numbers(3); }
   // Whether the words may be vertices.
   bool is_whole() const {
     return std::ranges::all_of(words, [](const std::string& word) {
@@ -198,27 +199,33 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
+// The lines that are not empty.
+std::vector<Row> rows_of(std::string_view text, const std::string& where) {
   std::vector<Row> rows;
-  bool named = false;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     Row row{where + ", line " + std::to_string(number), words_of(line)};
-    if (row.words.empty()) continue;
-    if (rows.empty() && !named && row.text() == kNamesOfCoordinates) {
-      named = true;
-    } else {
-      rows.push_back(std::move(row));
-    }
+    if (!row.words.empty()) rows.push_back(std::move(row));
   }
-  if (rows.empty()) throw HarnessError(where + ": there is no point in it");
+  return rows;
+}
+
+[[noreturn]] void refuse_empty(const std::string& where, const std::string& what) {
+  throw HarnessError(where + ": there is no " + what + " in it");
+}
+
+std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
+  std::vector<Row> rows = rows_of(text, where);
+  const bool named = !rows.empty() && rows.front().text() == kNamesOfCoordinates;
+  if (named) rows.erase(rows.begin());
+  if (rows.empty()) refuse_empty(where, "point");
   return points_of(rows, named);
 }
 
 std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where) {
   if (!list.is_array()) throw HarnessError(where + ": a list of points is expected");
-  if (list.empty()) throw HarnessError(where + ": there is no point in it");
+  if (list.empty()) refuse_empty(where, "point");
   std::vector<Row> rows;
   for (const Json& each : list) {
     Row row{where + ", point " + std::to_string(rows.size()), {}};
@@ -237,6 +244,59 @@ std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where)
     rows.push_back(std::move(row));
   }
   return points_of(rows, false);
+}
+
+WrittenPair pair_of(const std::vector<WrittenPoint>& points, const std::string& where) {
+  if (points.size() != 2) {
+    throw HarnessError(where + ": a pair is two points, not " + std::to_string(points.size()));
+  }
+  for (const WrittenPoint& point : points) {
+    if (point.initial) {
+      throw HarnessError(point.text + ": a point of a pair has no initial distance");
+    }
+  }
+  return {points[0], points[1]};
+}
+
+std::vector<WrittenPair> parse_pairs_text(std::string_view text, const std::string& where) {
+  std::vector<WrittenPair> pairs;
+  for (Row& row : rows_of(text, where)) {
+    if (row.has_numbers(6)) {
+      row.words[0].insert(0, "at:");
+      row.words[3].insert(0, "at:");
+    }
+    pairs.push_back(pair_of(parse_points(row.text(), row.where), row.where));
+  }
+  return pairs;
+}
+
+std::vector<WrittenPair> parse_pairs_list(const Json& list, const std::string& where) {
+  if (!list.is_array()) throw HarnessError(where + ": a list of pairs is expected");
+  std::vector<WrittenPair> pairs;
+  for (const Json& each : list) {
+    const std::string here = where + ", pair " + std::to_string(pairs.size());
+    pairs.push_back(pair_of(parse_list(each, here), here));
+  }
+  return pairs;
+}
+
+// Whether the bytes are JSON. @throws HarnessError if there is nothing
+bool are_json(std::string_view bytes, const std::string& where) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) throw HarnessError(where + ": the file is empty");
+  return bytes[first] == '[' || bytes[first] == '{';
+}
+
+// Reads a file of one kind of items.
+template <class Item>
+std::vector<Item> read_items(const std::filesystem::path& file, const std::string& flag,
+                             std::vector<Item> parse(std::string_view, const std::string&)) {
+  try {
+    const std::string bytes = read_bytes(file);
+    return parse(text_of(bytes, file.string()), flag + " '" + file.string() + "'");
+  } catch (const MeshError& error) {
+    throw HarnessError(flag + ' ' + error.what());
+  }
 }
 
 SurfacePoint on_surface(const WrittenPoint& point, const Mesh& mesh) {
@@ -259,21 +319,24 @@ std::vector<WrittenPoint> parse_points(std::string_view text, const std::string&
 }
 
 std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where) {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) throw HarnessError(where + ": the file is empty");
-  if (bytes[first] == '[' || bytes[first] == '{') {
-    return parse_list(parse_json(bytes, where), where);
-  }
-  return parse_text(bytes, where);
+  return are_json(bytes, where) ? parse_list(parse_json(bytes, where), where)
+                                : parse_text(bytes, where);
 }
 
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag) {
-  try {
-    const std::string bytes = read_bytes(file);
-    return parse_points_file(text_of(bytes, file.string()), flag + " '" + file.string() + "'");
-  } catch (const MeshError& error) {
-    throw HarnessError(flag + ' ' + error.what());
-  }
+  return read_items(file, flag, parse_points_file);
+}
+
+std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::string& where) {
+  std::vector<WrittenPair> pairs = are_json(bytes, where)
+                                       ? parse_pairs_list(parse_json(bytes, where), where)
+                                       : parse_pairs_text(bytes, where);
+  if (pairs.empty()) refuse_empty(where, "pair");
+  return pairs;
+}
+
+std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std::string& flag) {
+  return read_items(file, flag, parse_pairs_file);
 }
 
 PlacedPoint place(const WrittenPoint& point, const NearestPointSearch& surface) {

@@ -53,6 +53,17 @@ std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const s
 /// Like read_points, for the bytes of a file. @param where start of the messages
 std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where);
 
+using WrittenPair = std::array<WrittenPoint, 2>;
+
+/// Reads pairs of points. In text each line is a pair; six numbers are two places. JSON has a list
+/// of pairs, each a list of two points. The points have the forms of read_points, without initial
+/// distances.
+/// @throws HarnessError as read_points, and for a line or an item that is not a pair
+std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std::string& flag);
+
+/// Like read_pairs, for the bytes of a file. @param where start of the messages
+std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::string& where);
+
 /// A point on a mesh's surface.
 struct PlacedPoint {
   SurfacePoint at;

@@ -37,7 +37,7 @@ CASES = [
     flag("geodesic-bench solve --sorce 1 --help", "'--sorce' (did you mean '--source'?)"),
     # solve
     of("solve", "", "mesh is required"),
-    flag("geodesic-bench solve hill.obj", "--source or --sources-file is required"),
+    flag("geodesic-bench solve hill.obj", "--source, --sources-file or --pairs is required"),
     flag(f"{SOLVE} --counters --each", "--counters is for one solve: leave out --each"),
     flag(f"{SOLVE} --check --limit 1", "--check is for distances without --limit"),
     of("solve", "hill.obj --solver", "--solver needs a value"),
@@ -47,6 +47,9 @@ CASES = [
     of("solve", "hill.obj --limit 0,5", "--limit: '0,5' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit nan", "--limit: 'nan' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit=-1", "--limit: '-1' is not 0 or greater"),
+    *(of("solve", f"hill.obj --pairs p {other}", "--pairs", "excludes", other.split()[0])
+      for other in ("--source 0", "--sources-file s", "--target 1", "--targets-file t", "--stop-at-targets", "--limit 1",
+                    "--nearest-source", "--paths p.obj", "--each", "--check", "--counters")),
     of("solve", "hill.obj --source 0 --prepared p --solver mmp", "--solver excludes --prepared"),
     flag("geodesic-bench solve hill.obj --source 0 --solver mmp --save-prepared p",
          "mmp has no preparation that could be saved", "straight-graph"),

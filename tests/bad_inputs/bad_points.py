@@ -24,6 +24,11 @@ def file(what: str, content: str | bytes | list[object], *says: str) -> Case:
                 files={"points": text})  # fmt: skip
 
 
+def pairs(what: str, content: str | list[object], *says: str) -> Case:
+    text = json.dumps(content) if isinstance(content, list) else content
+    return Case(f"pairs: {what}", f"{SOLVE} --pairs points", ["--pairs 'points'", *says], files={"points": text})
+
+
 CASES = [
     word("-1", "'-1' is not a point, such as 12 (a vertex), edge:3-7:0.25, face:345:0.2,0.3,0.5"),
     word("1.5", "'1.5' is not a point"),
@@ -96,4 +101,19 @@ CASES = [
     file("several in a string", ["0,1"], "point 0: a string holds one point"),
     file("an initial distance", ["1+1"], "a target has no initial distance"),
     file("a vertex that is not there", [99], "point 0 99: vertex 99 is not in the mesh"),
+    Case("pairs: missing", f"{SOLVE} --pairs nowhere", ["--pairs nowhere: no such file"]),
+    pairs("empty", " \n", "the file is empty"),
+    pairs("separators only", ",\n", "there is no pair in it"),
+    pairs("an empty list", [], "there is no pair in it"),
+    pairs("no list", '{"from": 0}', "a list of pairs is expected"),
+    pairs("one point", "0 1\n2\n", "line 2: a pair is two points, not 1"),
+    pairs("three points", "0,1,2\n", "line 1: a pair is two points, not 3"),
+    pairs("a place without its third number", "0 0 0.5 1 0\n", "line 1: '0.5' is not a point, such as 12"),
+    pairs("names of columns", "from,to\n0,1\n", "line 1: 'from' is not a point, such as 12"),
+    pairs("a list of points", [0, 1], "pair 0: a list of points is expected"),
+    pairs("a list of three", [[0, 1], [0, 1, 2]], "pair 1: a pair is two points, not 3"),
+    pairs("a pair without points", [[]], "pair 0: there is no point in it"),
+    pairs("numbers that may be vertices or a place", [[0, [1, 2, 0]]], "pair 0, point 1: '1,2,0' may be three vertices"),
+    pairs("an initial distance", "0 1+0.5\n", "line 1 1+0.5: a point of a pair has no initial distance"),
+    pairs("a vertex that is not there", "0 1\n1 99\n", "line 2 99: vertex 99 is not in the mesh of 4 vertices"),
 ]  # fmt: skip

@@ -1,8 +1,13 @@
-// Fuzz target: files of sources and targets.
+// Fuzz target: files of sources, targets and pairs.
 #include "harness/corpus/points.h"
 
+#include "harness/base/error.h"
 #include "tests/fuzz/input.h"
 
 void geodesic::harness::fuzz::read_input(std::string_view bytes) {
-  parse_points_file(bytes, "--sources-file 'points'");
+  try {
+    parse_points_file(bytes, "--sources-file 'points'");
+  } catch (const HarnessError&) {  // may still be pairs
+  }
+  parse_pairs_file(bytes, "--pairs 'points'");
 }

@@ -1,11 +1,14 @@
-"""Distances of pairs: those of a matrix."""
+"""Distances of pairs: those of a matrix, and of the program."""
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from python_package import solve
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -52,3 +55,38 @@ def test_prepared_pairs_are_those_of_the_prepared_matrix(mesh: Any) -> None:
     prepared = mesh.prepare()
     matrix = prepared.distance_matrix()
     np.testing.assert_allclose(prepared.pair_distances(A, B, threads=2), matrix[A, B], rtol=1e-12)
+
+
+def test_the_program_writes_the_same_bits_in_every_format(mesh: Any, file: Path, tmp_path: Path) -> None:
+    expected = mesh.pair_distances(A, B)
+    np.savetxt(tmp_path / "pairs.csv", np.stack([A, B], axis=1), fmt="%d", delimiter=",")
+    (tmp_path / "pairs.json").write_text(json.dumps(np.stack([A, B], axis=1).tolist()))
+    for pairs in ("pairs.csv", "pairs.json"):
+        for threads in (1, 2):
+            asked = (file, "--pairs", tmp_path / pairs, "--threads", threads)
+            said = json.loads(solve(*asked))
+            assert [(each["from"], each["to"]) for each in said["pairs"]] == list(zip(A, B, strict=True))
+            np.testing.assert_array_equal([each["distance"] for each in said["pairs"]], expected)
+            assert said["pair_count"] == 80 and said["solve_count"] == min(len(set(A)), len(set(B)))
+    for output in ("d.txt", "d.npy", "d.csv"):
+        assert "pairs" not in json.loads(solve(*asked, "--output", tmp_path / output))
+    np.testing.assert_array_equal(np.loadtxt(tmp_path / "d.txt"), expected)
+    np.testing.assert_array_equal(np.load(tmp_path / "d.npy"), expected)
+    assert (tmp_path / "d.csv").read_text().startswith("pair,distance\n0,")
+    np.testing.assert_array_equal(np.loadtxt(tmp_path / "d.csv", delimiter=",", skiprows=1)[:, 1], expected)
+
+
+@pytest.mark.filterwarnings("ignore:.* from the surface, whose nearest point is taken")
+@pytest.mark.parametrize(
+    "text",
+    [
+        "face:3:0.2,0.3,0.5 5\n\n3.25,4.5,1,7,2,1\n",
+        '[["face:3:0.2,0.3,0.5", 5], [[3.25, 4.5, 1], "at:7,2,1"]]',
+    ],
+)
+def test_the_program_reads_pairs_of_any_points(text: str, mesh: Any, file: Path, tmp_path: Path) -> None:
+    (tmp_path / "pairs").write_text(text)
+    said = json.loads(solve(file, "--pairs", tmp_path / "pairs"))
+    expected = mesh.pair_distances([POINTS[1], gb.Place(3.25, 4.5, 1)], [5, gb.Place(7, 2, 1)])
+    np.testing.assert_array_equal([each["distance"] for each in said["pairs"]], expected)
+    assert len(said["places"]) == 2

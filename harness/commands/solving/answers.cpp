@@ -19,6 +19,7 @@
 #include "harness/verify/references.h"
 #include "meshes/isolines.h"
 #include "meshes/path_file.h"
+#include "meshes/row_solver.h"
 #include "solvers/core/prepared_file.h"
 #include "solvers/paths/paths.h"
 
@@ -296,6 +297,32 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
                {"real_time_s", watch.real_seconds()},
                {"process_peak_bytes", peak_resident_bytes()},
                {"solves", solves}});
+  return json;
+}
+
+Json solve_pairs(const Problem& problem, Outputs& outputs) {
+  restart_peak_resident_bytes();
+  auto [prepared, preparation] = prepare(problem);
+  const Stopwatch watch;
+  SolverForEachThread solvers(std::move(*prepared));
+  const std::vector<double> distances =
+      problem.grouped->distances(problem.mesh, problem.threads, [&] { return solvers.next(); });
+  Json json{{"pair_count", distances.size()}, {"solve_count", problem.grouped->sources().size()}};
+  json.update(preparation);
+  json.update({{"threads", problem.threads},
+               {"cpu_time_s", watch.cpu_seconds()},
+               {"real_time_s", watch.real_seconds()},
+               {"process_peak_bytes", peak_resident_bytes()},
+               {"unreachable_pairs", std::ranges::count(distances, kInfinity)}});
+  if (outputs.distances) {
+    outputs.distances->write(distances, {}, "pair");
+    return json;
+  }
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    json["pairs"].push_back({{"from", shown(problem.mesh, {.at = problem.pairs[i].from})},
+                             {"to", shown(problem.mesh, {.at = problem.pairs[i].to})},
+                             {"distance", distances[i]}});
+  }
   return json;
 }
 

@@ -26,4 +26,8 @@ Json solve_jointly(const Problem& problem, Outputs& outputs);
 /// Solves from each source by itself. The distances of each source are a row.
 Json solve_separately(const Problem& problem, Outputs& outputs);
 
+/// Computes the distances between the points of each pair. They are in the file of distances if
+/// there is one, otherwise in the JSON.
+Json solve_pairs(const Problem& problem, Outputs& outputs);
+
 }  // namespace geodesic::harness

@@ -35,8 +35,9 @@ std::string as_text(std::span<const double> distances, std::span<const Index> so
   return text;
 }
 
-std::string as_csv(std::span<const double> distances, std::span<const Index> sources) {
-  std::string text = sources.empty() ? "vertex,distance\n" : "vertex,distance,source\n";
+std::string as_csv(std::span<const double> distances, std::span<const Index> sources,
+                   const std::string& numbered) {
+  std::string text = numbered + (sources.empty() ? ",distance\n" : ",distance,source\n");
   for (std::size_t v = 0; v < distances.size(); ++v) {
     append_text(text, static_cast<std::int64_t>(v));
     append_text(text += ',', distances[v]);
@@ -83,13 +84,14 @@ DistanceFile::DistanceFile(const std::string& file)
   to_ = file == "-" ? &std::cout : &file_.emplace(file).stream();
 }
 
-void DistanceFile::write(std::span<const double> distances, std::span<const Index> sources) {
+void DistanceFile::write(std::span<const double> distances, std::span<const Index> sources,
+                         const std::string& numbered) {
   switch (format_) {
     case Format::text:
       *to_ << as_text(distances, sources);
       break;
     case Format::csv:
-      *to_ << as_csv(distances, sources);
+      *to_ << as_csv(distances, sources, numbered);
       break;
     case Format::npy:
       *to_ << as_npy(distances, sources);

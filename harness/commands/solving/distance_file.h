@@ -18,6 +18,9 @@ namespace geodesic::harness {
 ///   .csv  a header line, then vertex, distance and, with sources, source
 ///   .npy  an array of float64, one entry a vertex; with sources, a table of distance and source
 ///
+/// Distances of pairs, without sources, are written as those of vertices, with a column pair in
+/// place of vertex.
+///
 /// Distances from each source by itself, one row for each source:
 ///
 ///   .txt  distances, separated by spaces
@@ -34,7 +37,9 @@ class DistanceFile {
   explicit DistanceFile(const std::string& file);
 
   /// @param sources one for each vertex, kNone (written as -1) where no path leads; may be empty
-  void write(std::span<const double> distances, std::span<const Index> sources = {});
+  /// @param numbered what has the distances, "vertex" or "pair"
+  void write(std::span<const double> distances, std::span<const Index> sources = {},
+             const std::string& numbered = "vertex");
 
   /// Begins the rows of several sources.
   void begin_rows(std::size_t sources, std::size_t vertices);

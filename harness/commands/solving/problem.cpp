@@ -108,7 +108,7 @@ struct ThreadShares {
 };
 ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
                            std::size_t sources) {
-  if (!flags.each) {
+  if (!flags.each && flags.pairs_file.empty()) {
     if (flags.threads > 1 && !shares_sources(solver)) {
       throw HarnessError("--threads is for --each where the solver is " + solver.name);
     }
@@ -134,7 +134,9 @@ void check_combination(const SolveFlags& flags) {
   if (flags.meshes.size() > 1 && !(flags.prepared.empty() && flags.save_prepared.empty())) {
     refuse("--prepared and --save-prepared are files of one mesh");
   }
-  if (!sources) refuse("--source or --sources-file is required");
+  if (!sources && flags.pairs_file.empty()) {
+    refuse("--source, --sources-file or --pairs is required");
+  }
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
     refuse("--paths and --nearest-source are for one solve: leave out --each");
@@ -165,6 +167,7 @@ WrittenValues::WrittenValues(const SolveFlags& flags)
     : sources(points_of("source", flags.sources, flags.sources_file)),
       targets(points_of("target", flags.targets, flags.targets_file)) {
   if (!flags.levels.empty()) levels = parse_levels(flags.levels);
+  if (!flags.pairs_file.empty()) pairs = read_pairs(flags.pairs_file, "--pairs");
 }
 
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
@@ -172,12 +175,15 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
   const ThreadShares shares = share_threads(flags, solver, values.sources.size());
+  const std::size_t side_by_side = std::max(points.sources.size(), points.pairs.size());
+  const ThreadShares shares = share_threads(flags, solver, side_by_side);
   Problem problem{flags,
                   with_threads(solver, shares.within),
                   shares.sources,
                   entry,
                   built.loaded.soup,
                   *built.mesh,
+                  {},
                   {}};
   problem.levels = values.levels;
   problem.query.limit = flags.limit;
@@ -202,7 +208,16 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
     problem.query.targets.push_back(placed(target).at);
   }
+  for (const auto& [from, to] : points.pairs) {
+    const SurfacePoint begin = placed(from).at;
+    problem.pairs.push_back({begin, placed(to).at});
+  }
   check_abilities(flags, problem.threads, solver, problem.query);
+  if (!problem.pairs.empty()) {
+    const GroupedPairs& grouped = problem.grouped.emplace(solver, problem.pairs);
+    problem.inserted = insert_for(solver, problem.mesh, grouped.sources(), grouped.targets());
+    return problem;
+  }
   std::vector<SurfacePoint> starts;
   for (const Source& source : problem.query.sources) starts.push_back(source.at);
   problem.inserted = insert_for(solver, problem.mesh, starts, problem.query.targets);

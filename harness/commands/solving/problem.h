@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
 #include "meshes/load.h"
-#include "meshes/point_solver.h"
+#include "meshes/pair_distances.h"
 
 namespace geodesic::harness {
 
@@ -19,6 +20,7 @@ struct SolveFlags {
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
   std::string sources_file, targets_file, output, output_folder, paths, isolines, levels;
+  std::string sources_file, targets_file, pairs_file, output, output_folder, paths;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false;
@@ -62,6 +64,21 @@ struct Problem {
 };
 
 /// @param built from the entry's file. All arguments except `values` must outlive the problem
+  Query query;                               ///< without sources if there are pairs
+  std::vector<PointPair> pairs;              ///< of --pairs
+  std::optional<GroupedPairs> grouped = {};  ///< the pairs, if there are any
+  Json places = Json::array();               ///< for points that are given as places in space
+  std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
+};
+
+/// The points that the flags name, before a mesh is read. @throws HarnessError
+struct WrittenPoints {
+  explicit WrittenPoints(const SolveFlags& flags);
+  std::vector<WrittenPoint> sources, targets;
+  std::vector<WrittenPair> pairs;
+};
+
+/// @param built from the entry's file. All arguments except `points` must outlive the problem
 /// @throws HarnessError for points that the mesh does not have, and for requests beyond the
 ///         solver's abilities
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
