@@ -1,4 +1,4 @@
-// Solves one source after the other: the rows of a distance matrix.
+// Solves from one source, or one set of sources, after the other: the rows of a distance matrix.
 #pragma once
 
 #include <atomic>
@@ -38,16 +38,16 @@ class RowSolver {
         distances_(mesh.vertex_count()),
         at_targets_(query_.targets.size()) {}
 
-  /// As PointSolver::solve. Overwrites the results of the previous source.
-  void solve(const Source& source) {
-    query_.sources = {source};
+  /// As PointSolver::solve. Overwrites the results of the previous sources.
+  void solve(std::vector<Source> sources) {
+    query_.sources = std::move(sources);
     solver_->solve(query_, distances_, at_targets_);
   }
 
-  /// Distances from the last source: of all vertices, and of the targets.
+  /// Distances from the nearest of the last sources: of all vertices, and of the targets.
   std::span<const double> distances() const& { return distances_; }
   std::span<const double> at_targets() const& { return at_targets_; }
-  /// The row of the last source. Its columns are the targets; without targets, all vertices.
+  /// The row of the last sources. Its columns are the targets; without targets, all vertices.
   std::span<const double> row() const& {
     return query_.targets.empty() ? distances() : at_targets();
   }

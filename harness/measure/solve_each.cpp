@@ -45,7 +45,7 @@ void solve_each(PointSolver solver, const Mesh& mesh, std::span<const Source> so
     return [&, row = std::move(row)](std::size_t i) mutable {
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;
-      row.solve(sources[i]);
+      row.solve({sources[i]});
       results.put(i, keep({.number = i,
                            .distances = row.distances(),
                            .at_targets = row.at_targets(),

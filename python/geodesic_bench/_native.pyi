@@ -34,6 +34,12 @@ class SurfacePoints:
 
     def __len__(self) -> int: ...
 
+class PointSets:
+    """Sets of points: set i has the points from begins[i] to before begins[i + 1]."""
+
+    def __init__(self, all: SurfacePoints, begins: NDArray[np.int64]) -> None: ...
+    def __len__(self) -> int: ...
+
 class Defect:
     """A kind of defect of a mesh."""
 
@@ -115,14 +121,14 @@ def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
 def dense(
-    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
+    pool: SolverPool, rows: PointSets, columns: SurfacePoints | None, threads: int,
     progress: _Progress, out: NDArray[np.floating[Any]],
 ) -> None: ...  # fmt: skip
 def sparse_float64(
-    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, limit: float, threads: int,
+    pool: SolverPool, rows: PointSets, columns: SurfacePoints | None, limit: float, threads: int,
     progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip
 def sparse_float32(
-    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, limit: float, threads: int,
+    pool: SolverPool, rows: PointSets, columns: SurfacePoints | None, limit: float, threads: int,
     progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip

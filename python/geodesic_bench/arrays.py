@@ -84,14 +84,9 @@ def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
     if isinstance(values, tuple | list) and any(
         isinstance(value, Place) or _names_a_face(value) for value in values
     ):
-        each = [surface_point(value, what, vertices, faces) for value in values]
-        return Points(
-            np.concatenate([point.vertices for point in each]),
-            np.concatenate([point.faces for point in each]),
-            np.concatenate([point.weights for point in each]),
-        )
+        return _joined([surface_point(value, what, vertices, faces) for value in values])
     array = _array(values, f"{what}s", "vertices, tuples (face, weights) and Place(x, y, z)")
-    if array.dtype.kind == "f" and array.ndim == 2 and array.shape[1] == 3:
+    if _are_places(array):
         none = np.full(len(array), NONE)
         return Points(none, none, array.astype(np.float64))
     given = _vertex_indices(array, what, vertices)
@@ -104,6 +99,58 @@ def surface_point(value: object, what: str, vertices: int, faces: int) -> Points
     if len(point.vertices) != 1:
         raise ValueError(_NO_POINT.format(what))
     return point
+
+
+class PointSets(NamedTuple):
+    """k sets of points."""
+
+    all: Points
+    """The points of the first set, then those of the second, and so on."""
+    begins: NDArray[np.int64]
+    """(k + 1,): where each set begins among the points; then their number."""
+
+    def part(self, begin: int, end: int) -> PointSets:
+        """Returns some of the sets."""
+        some = slice(self.begins[begin], self.begins[end])
+        points = Points(self.all.vertices[some], self.all.faces[some], self.all.weights[some])
+        return PointSets(points, self.begins[begin : end + 1] - self.begins[begin])
+
+
+def point_sets(values: Any, what: str, vertices: int, faces: int) -> PointSets:
+    """Converts what surface_points() does, to a set a point, and a list of which some items are lists: sets."""
+    if not _has_sets(values):
+        points = surface_points(values, what, vertices, faces)
+        return PointSets(points, np.arange(len(points.vertices) + 1))
+    sets = [surface_points(value, what, vertices, faces) for value in values]
+    sizes = [len(each.vertices) for each in sets]
+    if 0 in sizes:
+        raise ValueError(f"{what} {sizes.index(0)} has no point")
+    return PointSets(_joined(sets), np.cumsum([0, *sizes]))
+
+
+def _has_sets(values: Any) -> bool:
+    """Whether the values are a list of which some items are lists of points, and not a list of places."""
+    if not isinstance(values, tuple | list) or isinstance(values, Place) or _names_a_face(values):
+        return False
+    others = [value for value in values if not (isinstance(value, Place) or _names_a_face(value))]
+    if not any(isinstance(value, _LISTED) and getattr(value, "shape", None) != () for value in others):
+        return False
+    try:
+        return len(others) < len(values) or not _are_places(np.asarray(values))
+    except (ValueError, TypeError):  # lists of different lengths
+        return True
+
+
+def _are_places(array: NDArray[Any]) -> bool:
+    return array.dtype.kind == "f" and array.ndim == 2 and array.shape[1] == 3
+
+
+def _joined(each: list[Points]) -> Points:
+    return Points(
+        np.concatenate([points.vertices for points in each]),
+        np.concatenate([points.faces for points in each]),
+        np.concatenate([points.weights for points in each]),
+    )
 
 
 _NO_POINT = "a {} must be a vertex, a tuple (face, three weights), or Place(x, y, z)"

@@ -25,10 +25,12 @@ from geodesic_bench.arrays import (
     NONE,
     Place,
     Points,
+    PointSets,
     arrays_of,
     face_array,
     number,
     numbers,
+    point_sets,
     surface_point,
     surface_points,
     vertex_array,
@@ -456,7 +458,7 @@ class Mesh:
 
     def distance_matrix(
         self,
-        rows: SurfacePoints | None = None,
+        rows: SurfacePoints | Sequence[SurfacePoints] | None = None,
         columns: SurfacePoints | None = None,
         *,
         threads: int = 0,
@@ -468,12 +470,14 @@ class Mesh:
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
-        """Returns the distances from each of some points, which are separate sources.
+        """Returns the distances from each of some points, or sets of points, which are separate sources.
 
         Parameters
         ----------
-        rows : (k,) integers, or k points, or one, optional
-            Sources, with one solve for each, as in `distances`; by default all vertices.
+        rows : (k,) integers, or k points, or one, or a list of k lists of points, optional
+            Sources, with one solve for each, as in `distances`; by default all vertices. An item that is a
+            list is a set: its row has the distances from the nearest of its points. Since lists of three floats
+            are places, `[[0, 1, 2], [7, 8]]` are two sets of vertices, and `[[0.0, 1, 2]]` is one place.
         columns : (l,) integers, or l points, or one, optional
             Points whose distances are returned; by default all vertices. A solve ends at the farthest one.
         threads : int
@@ -510,13 +514,17 @@ class Mesh:
                [5., 0.]])
         >>> mesh.distance_matrix([0, 1, 2], limit=4, dtype="float32").nnz
         7
+        >>> mesh.distance_matrix([[0, 1], 2])
+        array([[0., 0., 4.],
+               [4., 5., 0.]])
         >>> middle = (0, (0, 1, 1))
         >>> mesh.distance_matrix([0, middle], columns=[1, middle])
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        given = np.arange(len(self.vertices)) if rows is None else rows
-        sources = self._points(given, "row")
+        every = np.arange(len(self.vertices)) if rows is None else rows
+        given = point_sets(every, "row", len(self.vertices), len(self.faces))
+        sources = _native.PointSets(self._placed(given.all, "row"), given.begins)
         targets = None if columns is None else self._points(columns, "column")
         workers = _number_of_threads(threads)
         name = _name_of_type(out.dtype if dtype is None and isinstance(out, np.ndarray) else dtype)
@@ -551,19 +559,18 @@ class Mesh:
         file: str | os.PathLike[str],
         name: str,
         pool: _native.SolverPool,
-        rows: SurfacePoints,
+        given: PointSets,
         columns: SurfacePoints | None,
         workers: int,
         show: Callable[[int], None] | None,
     ) -> NDArray[Any]:
         """As `distance_matrix`, to a file."""
-        given = surface_points(rows, "row", len(self.vertices), len(self.faces))
         ends = None if columns is None else surface_points(columns, "column", len(self.vertices), len(self.faces))
         targets = None if ends is None else _native.surface_points(self._shared, *ends)[0]
-        shape = len(given.vertices), len(self.vertices) if ends is None else len(ends.vertices)
+        shape = len(given.begins) - 1, len(self.vertices) if ends is None else len(ends.vertices)
         # The threads that prepare do not change the numbers.
         solver = re.sub(r"threads=\d+", "", pool.solver.name)
-        arrays = [self.vertices, self.faces, *given, *(ends or ())]
+        arrays = [self.vertices, self.faces, *given.all, given.begins, *(ends or ())]
         crosses = self._shared.crosses_non_manifold
         told = [_native.__version__, solver, name, crosses, [array.shape for array in arrays]]
         problem = sha256(repr(told).encode() + b"".join(array.tobytes() for array in arrays)).hexdigest()
@@ -571,8 +578,9 @@ class Mesh:
         try:
             while unfinished.rows < shape[0]:
                 begin, end = unfinished.rows, min(unfinished.rows + workers * ROWS_AT_ONCE, shape[0])
-                some = Points(given.vertices[begin:end], given.faces[begin:end], given.weights[begin:end])
-                sources, _ = _native.surface_points(self._shared, *some)
+                some = given.part(begin, end)
+                points, _ = _native.surface_points(self._shared, *some.all)
+                sources = _native.PointSets(points, some.begins)
                 shown = show and partial(_show_from, show, begin)
                 _native.dense(pool, sources, targets, workers, shown, unfinished.part(begin, end))
                 unfinished.keep(end)
@@ -653,7 +661,9 @@ class Mesh:
         self, values: SurfacePoints, what: str, convert: Callable[..., Points] = surface_points
     ) -> _native.SurfacePoints:
         """Returns the points on the surface, and warns of a place that is far from it."""
-        given = convert(values, what, len(self.vertices), len(self.faces))
+        return self._placed(convert(values, what, len(self.vertices), len(self.faces)), what)
+
+    def _placed(self, given: Points, what: str) -> _native.SurfacePoints:
         points, remark = _native.surface_points(self._shared, *given)
         if remark:
             _warn(f"a {what} {remark}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -112,7 +113,7 @@ class Prepared:
 
     def distance_matrix(
         self,
-        rows: SurfacePoints | None = None,
+        rows: SurfacePoints | Sequence[SurfacePoints] | None = None,
         columns: SurfacePoints | None = None,
         *,
         threads: int = 0,

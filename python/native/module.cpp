@@ -371,11 +371,26 @@ py::array_t<double> pair_distances(const PoolPointer& pool, const SurfacePoints&
   }));
 }
 
-/// Distances from each source by itself. Rows have the order of the sources, columns the order of
-/// the targets. All vertices are columns when no targets are given.
+/// Sets of points: set i has the points from begins[i] to before begins[i + 1].
+struct PointSets {
+  SurfacePoints all;
+  std::vector<std::int64_t> begins;
+
+  std::size_t count() const { return begins.size() - 1; }
+  std::vector<Source> sources(std::size_t set) const {
+    std::vector<Source> sources;
+    for (auto i = begins[set]; i < begins[set + 1]; ++i) {
+      sources.push_back({.at = all.points[static_cast<std::size_t>(i)]});
+    }
+    return sources;
+  }
+};
+
+/// Distances from the nearest source of each set. Rows have the order of the sets, columns the
+/// order of the targets. All vertices are columns when no targets are given.
 struct Matrix {
   PoolPointer pool;
-  SurfacePoints rows;
+  PointSets rows;
   OptionalPoints columns;
   unsigned threads;
   double limit = kInfinity;
@@ -389,17 +404,16 @@ struct Matrix {
 /// @param put called once for each row, by several threads at a time
 void solve_rows(const Matrix& matrix, Task& task,
                 const std::function<void(std::size_t row, std::span<const double>)>& put) {
-  const std::vector<SurfacePoint>& sources = matrix.rows.points;
   Query asked{.sources = {}, .limit = matrix.limit};
   if (matrix.columns) asked.targets = matrix.columns->points;
   asked.stop_at_targets = !asked.targets.empty();
-  const PoolPointer pool = pool_for(matrix.pool, sources, asked.targets);
-  const std::size_t count = matrix.width() > 0 ? sources.size() : 0;
+  const PoolPointer pool = pool_for(matrix.pool, matrix.rows.all.points, asked.targets);
+  const std::size_t count = matrix.width() > 0 ? matrix.rows.count() : 0;
   do_in_threads(count, matrix.threads, [&]() -> Worker {
     RowSolver solver(borrowed(pool), *matrix.pool->mesh(), asked);
     return [&, solver = std::move(solver)](std::size_t i) mutable {
       task.throw_if_abandoned();
-      solver.solve({.at = sources[i]});
+      solver.solve(matrix.rows.sources(i));
       put(i, solver.row());
       task.count_piece();
     };
@@ -409,7 +423,7 @@ void solve_rows(const Matrix& matrix, Task& task,
 /// @param out array of shape (rows, columns), of any strides and alignment; infinite where no path
 ///        leads; is no longer written to once this has ended, by Ctrl-C too
 template <class T>
-void dense(const PoolPointer& pool, const SurfacePoints& rows, const OptionalPoints& columns,
+void dense(const PoolPointer& pool, const PointSets& rows, const OptionalPoints& columns,
            unsigned threads, const Progress& progress, py::array_t<T, 0> out) {
   const Matrix matrix{pool, rows, columns, threads};
   in_background(
@@ -432,7 +446,7 @@ void dense(const PoolPointer& pool, const SurfacePoints& rows, const OptionalPoi
 
 /// @return the finite distances as three arrays: values, column indices, and the begin of each row
 template <class T>
-py::tuple sparse(const PoolPointer& pool, const SurfacePoints& rows, const OptionalPoints& columns,
+py::tuple sparse(const PoolPointer& pool, const PointSets& rows, const OptionalPoints& columns,
                  double limit, unsigned threads, const Progress& progress) {
   struct Compressed {
     std::vector<T> values;
@@ -441,7 +455,7 @@ py::tuple sparse(const PoolPointer& pool, const SurfacePoints& rows, const Optio
   const Matrix matrix{pool, rows, columns, threads, limit};
   Compressed all = in_background(
       [=](Task& task) {
-        std::vector<Compressed> found(matrix.rows.points.size());
+        std::vector<Compressed> found(matrix.rows.count());
         solve_rows(matrix, task, [&](std::size_t row, auto distances) {
           for (std::size_t column = 0; column < distances.size(); ++column) {
             if (std::isinf(distances[column])) continue;
@@ -516,6 +530,12 @@ PYBIND11_MODULE(_native, module) {
   py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
     return self.points.size();
   });
+
+  py::class_<PointSets>(module, "PointSets")
+      .def(py::init([](const SurfacePoints& all, const Array<std::int64_t>& begins) {
+        return PointSets{all, {begins.data(), begins.data() + begins.size()}};
+      }))
+      .def("__len__", &PointSets::count);
 
   py::class_<Defect>(module, "Defect", "A kind of fault that a mesh has.")
       .def_property_readonly("kind", [](const Defect& d) { return type_of(d.kind).key; })

@@ -59,6 +59,42 @@ def test_matrices_that_cannot_be_written_are_refused(mesh: Any, options: Any, se
     assert str(refused.value).startswith(sentence)
 
 
+FACE = (3, (0.2, 0.3, 0.5))
+SETS: list[Any] = [[0, 1, 2], [7, 8], 5, [FACE, 99, 99], FACE, (140, 141), np.array([3])]
+
+
+@pytest.mark.parametrize("solver", ["edge-based", "mmp", "ch", "dijkstra"])
+def test_a_row_of_a_set_is_the_least_of_the_rows_of_its_points(solver: str, mesh: Any) -> None:
+    """To 1e-12: a solve from a set orders its windows otherwise than one from a point."""
+    got = mesh.distance_matrix(SETS, solver=solver)
+    for row, points in zip(got, SETS, strict=True):
+        each = mesh.distance_matrix(list(points) if isinstance(points, list) else points, solver=solver)
+        np.testing.assert_allclose(row, each.min(axis=0), rtol=1e-12, atol=1e-13)
+    sparse = mesh.distance_matrix(SETS, solver=solver, limit=3.0).toarray()
+    np.testing.assert_array_equal(sparse, np.where(got <= 3, got, 0))
+
+
+def test_rows_of_sets_do_not_depend_on_threads_files_or_columns(mesh: Any, tmp_path: Path) -> None:
+    expected = mesh.distance_matrix(SETS, threads=1)
+    np.testing.assert_array_equal(mesh.distance_matrix(SETS, threads=3), expected)
+    np.testing.assert_array_equal(mesh.distance_matrix(tuple(SETS), columns=[4, 7]), expected[:, [4, 7]])
+    many = SETS * 30  # several blocks of rows
+    got = mesh.distance_matrix(many, out=tmp_path / "m.npy", threads=1)
+    np.testing.assert_array_equal(got, np.tile(expected, (30, 1)))
+
+
+def test_lists_of_three_floats_are_places_and_those_of_integers_are_sets(mesh: Any) -> None:
+    places = [[3.25, 4.5, 1], [7, 2, 1]]
+    with pytest.warns(UserWarning, match="from the surface"):
+        single = mesh.distance_matrix([gb.Place(*place) for place in places])
+        np.testing.assert_array_equal(mesh.distance_matrix(places), single)
+        of_set = mesh.distance_matrix([np.array(places), 3])
+        mixed = mesh.distance_matrix([gb.Place(*places[0]), [0, 1, 2]])
+    np.testing.assert_allclose(of_set, [single.min(axis=0), mesh.distances(3)], rtol=1e-12)
+    np.testing.assert_array_equal(mixed, [single[0], mesh.distances([0, 1, 2])])
+    np.testing.assert_array_equal(mesh.distance_matrix([[0, 1, 2], [7, 8, 9]])[1], mesh.distances([7, 8, 9]))
+
+
 INTERRUPTED = """
 import os, signal, sys, threading, time
 sys.path[:0] = {paths!r}
