@@ -262,9 +262,9 @@ void add_solve_command(CLI::App& app) {
   for (const auto& [group, options] : groups) {
     for (const char* option : options) command->get_option(option)->group(group);
   }
-  for (const char* other :
-       {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets", "--limit",
-        "--nearest-source", "--paths", "--each", "--check", "--counters"}) {
+  for (const char* other : {"--source", "--sources-file", "--target", "--targets-file",
+                            "--stop-at-targets", "--limit", "--nearest-source", "--paths",
+                            "--isolines", "--levels", "--each", "--check", "--counters"}) {
     pairs->excludes(other);
   }
   command->footer(

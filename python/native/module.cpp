@@ -352,6 +352,8 @@ py::list isolines(const SharedMeshPointer& mesh, const Array<double>& distances,
     lines.append(py::make_tuple(each.level, each.closed) + arrays_of(each.points));
   }
   return lines;
+}
+
 /// A solver that returns to its pool with its last owner.
 std::shared_ptr<PointSolver> borrowed(const PoolPointer& pool) {
   const auto own = std::make_shared<BorrowedSolver>(pool);
