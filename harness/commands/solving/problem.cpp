@@ -174,8 +174,7 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                      const BuiltMesh& built, const WrittenValues& values) {
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
-  const ThreadShares shares = share_threads(flags, solver, values.sources.size());
-  const std::size_t side_by_side = std::max(points.sources.size(), points.pairs.size());
+  const std::size_t side_by_side = std::max(values.sources.size(), values.pairs.size());
   const ThreadShares shares = share_threads(flags, solver, side_by_side);
   Problem problem{flags,
                   with_threads(solver, shares.within),
@@ -183,7 +182,6 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                   entry,
                   built.loaded.soup,
                   *built.mesh,
-                  {},
                   {}};
   problem.levels = values.levels;
   problem.query.limit = flags.limit;
@@ -208,7 +206,7 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
     problem.query.targets.push_back(placed(target).at);
   }
-  for (const auto& [from, to] : points.pairs) {
+  for (const auto& [from, to] : values.pairs) {
     const SurfacePoint begin = placed(from).at;
     problem.pairs.push_back({begin, placed(to).at});
   }

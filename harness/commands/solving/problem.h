@@ -19,8 +19,8 @@ struct SolveFlags {
   std::vector<std::string> meshes;
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
-  std::string sources_file, targets_file, output, output_folder, paths, isolines, levels;
-  std::string sources_file, targets_file, pairs_file, output, output_folder, paths;
+  std::string sources_file, targets_file, pairs_file, output, output_folder, paths, isolines,
+      levels;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false;
@@ -46,6 +46,7 @@ struct Levels {
 struct WrittenValues {
   explicit WrittenValues(const SolveFlags& flags);
   std::vector<WrittenPoint> sources, targets;
+  std::vector<WrittenPair> pairs;
   Levels levels;
 };
 
@@ -57,28 +58,15 @@ struct Problem {
   const MeshEntry& entry;
   const TriangleSoup& soup;
   const Mesh& mesh;
-  Query query;
+  Query query;                               ///< without sources if there are pairs
+  std::vector<PointPair> pairs = {};         ///< of --pairs
+  std::optional<GroupedPairs> grouped = {};  ///< the pairs, if there are any
   Levels levels = {};
   Json places = Json::array();  ///< for points that are given as places in space
   std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
 };
 
 /// @param built from the entry's file. All arguments except `values` must outlive the problem
-  Query query;                               ///< without sources if there are pairs
-  std::vector<PointPair> pairs;              ///< of --pairs
-  std::optional<GroupedPairs> grouped = {};  ///< the pairs, if there are any
-  Json places = Json::array();               ///< for points that are given as places in space
-  std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
-};
-
-/// The points that the flags name, before a mesh is read. @throws HarnessError
-struct WrittenPoints {
-  explicit WrittenPoints(const SolveFlags& flags);
-  std::vector<WrittenPoint> sources, targets;
-  std::vector<WrittenPair> pairs;
-};
-
-/// @param built from the entry's file. All arguments except `points` must outlive the problem
 /// @throws HarnessError for points that the mesh does not have, and for requests beyond the
 ///         solver's abilities
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
