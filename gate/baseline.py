@@ -27,6 +27,18 @@ KEY = ["solver", "mesh", "source"]
 Counters = dict[Cell, dict[str, int]]
 
 
+def changed(tree: Path) -> dict[str, str]:
+    """Returns the day of the last recorded change of a solver's counters, by solver."""
+    days: dict[str, str] = {}
+    day = ""
+    for line in read_text(tree / FOLDER / CHANGES).splitlines():
+        if line.startswith("## "):
+            day = line[3:]
+        elif line.startswith("- "):
+            days[line[2:].split(":")[0]] = day
+    return days
+
+
 def counters_of(run: Verified) -> Counters:
     """Returns the integer counters of every cell that succeeded and has counters."""
     found = {cell: one.counters() for cell, one in run.cells.items() if one.ok}

@@ -154,5 +154,7 @@ def test_counters_far_from_those_of_this_revision_are_found(
     cell = Cell("mmp", row["mesh"], row["source"])
     known = {cell: {"window_propagations": 3 * row["window_propagations"]}}
     monkeypatch.setattr("gate.baseline.read", lambda _: known)
-    code, said = check(write(tmp_path / "run.json", result))
-    assert code == 1 and "; this revision counts " in said
+    for day, found in (("2026-01-01", 1), (result["context"]["geodesic_bench"]["started"][:10], 0)):
+        monkeypatch.setattr("gate.baseline.changed", lambda _, day=day: {"mmp": day})
+        code, said = check(write(tmp_path / "run.json", result))
+        assert code == found and ("; this revision counts " in said) == bool(found)
