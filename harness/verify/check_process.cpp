@@ -56,9 +56,10 @@ class CheckProcess {
     const Case given = read_case(ask.file).given;
     Finding finding;
     CheckResult result = check_on(property, solver, given, &finding);
-    const std::string refuses = unsupported(solver, given.build());
-    if (result.outcome == CheckOutcome::holds && !refuses.empty()) {
-      result = {.what = "refuses the mesh: " + refuses};  // rightly: the property was not checked
+    if (result.outcome == CheckOutcome::holds) {
+      const std::string refuses = unsupported(solver, given.build());
+      // Rightly: the property was not checked.
+      if (!refuses.empty()) result = {.what = "refuses the mesh: " + refuses};
     }
     end(result);
     if (!finding || !ask.explain) return;

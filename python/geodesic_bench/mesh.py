@@ -74,39 +74,33 @@ any points."""
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
-    """A shortest path, from its source to its target."""
+class Polyline:
+    """A line over the surface that is straight in each face."""
 
     points: NDArray[np.float64]
     """(k, 3): its begin, its points on edges and at vertices, and its end."""
     faces: NDArray[np.uint32]
-    """(k - 1,): the face that the path crosses, in a straight line, between each point and the next."""
+    """(k - 1,): the face that it crosses between each point and the next."""
     travelled: NDArray[np.float64]
-    """(k,): length of the path up to each point, in the unit of the coordinates."""
+    """(k,): its length up to each point, in the unit of the coordinates."""
 
     @property
     def length(self) -> float:
         return float(self.travelled[-1])
 
 
+class Path(Polyline):
+    """A shortest path, from its source to its target."""
+
+
 @dataclass(frozen=True, eq=False)
-class Isoline:
+class Isoline(Polyline):
     """A line on which the distance, interpolated linearly along the edges, is the level."""
 
     level: float
     """A distance, in the unit of the coordinates."""
     closed: bool
     """Whether the last point is the first one again."""
-    points: NDArray[np.float64]
-    """(k, 3): points on edges and at vertices, k > 1."""
-    faces: NDArray[np.uint32]
-    """(k - 1,): the face that the line crosses, in a straight line, between each point and the next."""
-    travelled: NDArray[np.float64]
-    """(k,): length of the line up to each point, in the unit of the coordinates."""
-
-    @property
-    def length(self) -> float:
-        return float(self.travelled[-1])
 
 
 class Mesh:
@@ -373,7 +367,8 @@ class Mesh:
             chosen = numbers(levels, "levels")
             if chosen.ndim != 1:
                 raise ValueError(f"levels must be their number, an integer, or a list, such as [0.5], not {levels!r}")
-        return [Isoline(*line) for line in _native.isolines(self._shared, field, chosen)]
+        lines = _native.isolines(self._shared, field, chosen)
+        return [Isoline(points, faces, travelled, level, closed) for level, closed, points, faces, travelled in lines]
 
     def pair_distances(
         self,
