@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import zlib
 from pathlib import Path
 
 import pytest
 from peer_world import HEADER, PeerWorld
+
+from results.console import ROOT
 
 
 @pytest.fixture
@@ -118,3 +121,11 @@ def test_words_run_the_peers_beside_other_solvers(world: PeerWorld) -> None:
     world.plugin.touch()
     ended = world.build("--words", "mmp", "fake")
     assert ended.returncode == 1 and "plug-in" in ended.stderr
+
+
+def test_the_scripts_install_every_package_that_a_peer_needs() -> None:
+    listed = {line.split()[0] for line in (ROOT / "tools" / "packages.txt").read_text().splitlines()}
+    files = [ROOT / "peers" / "peer.cmake", *(ROOT / "peers").glob("*/CMakeLists.txt")]
+    needs = [re.findall(r"^ *peer_needs\((.+)\)", file.read_text(), re.MULTILINE) for file in files]
+    needed = {package for found in needs for words in found for package in words.split()}
+    assert "git" in needed and needed <= listed
