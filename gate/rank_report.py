@@ -62,7 +62,7 @@ def verdict(ranking: Ranking) -> str:
         text += f"Times relative to {name} on {_meshes(own.all)}: {', '.join(times)}. "
     else:
         text += f"{name} could not be timed against any of the others. "
-    text += f"The distances of {name} are right on {own.right} of {_meshes(own.all)}"
+    text += f"The distances of {name} are correct on {own.right} of {_meshes(own.all)}"
     if own.max_relative_error is not None:
         text += f", to {_error(own.max_relative_error)} of their length"
     return text + "."
@@ -94,7 +94,7 @@ def _overall(ranking: Ranking) -> Table:
             f"{one.right} of {one.all}",
         ])  # fmt: skip
     header = ["solver", "rank", "time", "95% interval", "windows", "memory", "largest error",
-              "right on"]  # fmt: skip
+              "meshes with correct distances"]  # fmt: skip
     return Table("", "", header, 1, [text_fields(row) for row in rows])
 
 

@@ -82,8 +82,8 @@ def beside_public_codes(standard: Run, hard: Run) -> Table:
     right = robustness.right(hard)
     return Table(
         name="beside_public_codes", title="", text_columns=2,
-        header=["Solver", "Code", f"Time of a first answer / {BASE}", "Meshes",
-                "Largest relative error", f"Right on, of {len(hard.meshes)} hard meshes"],
+        header=["Solver", "Code", f"Preparation and one solve, time / {BASE}", "Meshes",
+                "Largest relative error", f"Correct on, of {len(hard.meshes)} hard meshes"],
         rows=[[Field(solver), Field(whose), *_numbers(standard, solver), Field(right[solver])]
               for solver, whose in SHOWN.items() if solver in columns(standard) and solver in right],
     )  # fmt: skip

@@ -1,5 +1,5 @@
-"""Figure of our exact solvers and the public codes of the field: the time of a first answer of each
-solver, and what is known of its distances."""
+"""Figure of our exact solvers and the public codes of the field: the time of preparation and one solve
+of each solver, and what is known of its distances."""
 
 from __future__ import annotations
 
@@ -64,13 +64,13 @@ def figure(run: Run) -> Drawing:
         key=lambda line: line.mean,
     )
     if not any(line.solver in public for line in shown):
-        raise ResultError(f"{run.file}: no solver of others has a first answer beside {base}'s")
+        raise ResultError(f"{run.file}: no solver of others has a time that compares with {base}")
     picture = _draw(run, shown, base)
     absent = [line.solver for line in lines if line not in shown]
     return Drawing(
         title="Our solvers and those of others",
         caption=sentences(
-            f"Time of a first answer, preparation and solve, over that of {base}: a dot a mesh, paired "
+            f"Time of preparation and one solve, over that of {base}: a dot a mesh, paired "
             "by source and repetition; the bar and the number are the geometric mean over the meshes "
             "that have a verified answer, the line its 95% bootstrap interval over sources and repetitions. On the right, the guarantee of the distances or, where they are "
             "not exact, their relative errors: the mean over vertices and meshes, and the largest.",
@@ -124,7 +124,7 @@ def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="x")
     ratio_axis(axes.xaxis)
-    axes.set_xlabel(f"time of a first answer / {style.plain(base)}")
+    axes.set_xlabel(f"preparation and one solve, time / {style.plain(base)}")
     picture.supxlabel(style.plain("\n".join(foot)), fontsize=7.5, color=style.PALE)
     used = [group for group in GROUPS if any(line.group == group for line in lines)]
     style.legend_above(

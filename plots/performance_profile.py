@@ -82,7 +82,7 @@ def figure(run: Run) -> Drawing:
         share = sum(f == 1 for f in profile.get(fastest, [])) / max(count, 1)
         best.append(f"{title}: {fastest} on {share:.0%}")
     panels[0].set_ylabel("share of questions")
-    panels[1].set_xlabel("time of a first answer, over that of the fastest")
+    panels[1].set_xlabel("preparation and one solve: time over that of the fastest")
     handles = [
         Line2D([], [], label=style.plain(s), **_line(looks[s])) for s in found
     ]

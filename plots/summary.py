@@ -35,7 +35,7 @@ def overall(run: Run) -> Table:
     return Table(
         name="summary",
         title="Results over all meshes" if len(run.meshes) > 1 else "Results",
-        header=["Solver", time_over(base).label, "Meshes", "Least", "Most", "Verified", "Without a time",
+        header=["Solver", time_over(base).label, "Meshes", "Smallest ratio", "Largest ratio", "Verified", "Without a time",
                 ERROR.label],
         text_columns=1,
         rows=[
@@ -43,8 +43,8 @@ def overall(run: Run) -> Table:
             for solver in sorted(columns(run), key=lambda s: mean(of[s]) if s in of else np.inf)
         ],
         remarks=[
-            f"{PAIRED} In brackets the 95% bootstrap interval; then the meshes with the least and the "
-            "greatest ratio.",
+            f"{PAIRED} In brackets the 95% bootstrap interval; then the meshes with the smallest and the "
+            "largest ratio.",
             "The columns Verified and Without a time count cells, each a mesh and a source.",
             *timed_elsewhere(run),
         ],

@@ -72,7 +72,8 @@ def table(run: Run) -> Table:
             "is context only.",
             "Ratios of time differ from the thesis's for reasons of the programs: here edge-based takes several "
             "windows at a time by vector instructions, where the processor has them; docs/performance.md has its "
-            "time without them, and what else differs.",
+            "time without them, and what else differs. They grow with the size of a mesh: a mesh that is smaller than "
+            "the model it stands for understates them.",
             f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}. "
             f"{COUNTING}",
         ],

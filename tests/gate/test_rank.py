@@ -44,7 +44,7 @@ def test_times_are_relative_to_the_candidate_and_the_fastest_is_the_smallest() -
     assert "| fast | 1 | 0.2" in text and "| new | 2 | 1 | - |" in text
     assert "## horse, 48485 vertices, 1 source" in text
     assert verdict(ranking).startswith("Times relative to new on 3 meshes: fast 0.2")
-    assert "right on 3 of 3 meshes, to 1.0e-15" in verdict(ranking)
+    assert "correct on 3 of 3 meshes, to 1.0e-15" in verdict(ranking)
 
 
 def test_a_drift_that_hits_both_sides_of_a_pair_is_no_difference() -> None:
@@ -154,7 +154,7 @@ def test_a_wrong_answer_has_no_time_and_comes_first() -> None:
     ranking, _ = of(of_solvers({"new": 1.0, "a": 2.0}, change=fail("new", "horse", "wrong answer")))
     assert len(standing(ranking, "a").meshes) == 2
     assert verdict(ranking).startswith("WRONG ANSWERS of new")
-    assert "right on 2 of 3 meshes" in verdict(ranking)
+    assert "correct on 2 of 3 meshes" in verdict(ranking)
 
 
 def test_a_failure_in_a_later_pair_takes_the_times_of_its_mesh() -> None:
