@@ -27,7 +27,7 @@ Examples:
   geodesic-bench run --corpus quick --repetitions 9 --out results/runs/mine)";
 
 // Parses "head=build/release/geodesic-bench".
-ProgramFile program_of(const std::string& word) {
+Program program_of(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) throw HarnessError("--program " + word + ": not NAME=PATH");
   return {word.substr(0, equals), fs::absolute(word.substr(equals + 1))};
@@ -80,7 +80,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
     return command.add_option_function<std::string>(name, use, help);
   };
   call(
-      "--resume", [&](const std::string& folder) { request = saved_request(folder).request; },
+      "--resume", [&](const std::string& folder) { request = saved_request(folder); },
       "continue the interrupted run in this folder, with its options")
       ->type_name("DIR");
   const CLI::Option* const suite_option =
@@ -195,9 +195,10 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
 }
 
 /// The command that results have: of the script that started this program, if it names its own.
-std::string recorded_command(const std::string& command_line) {
+void set_command(RunRequest& request, const std::string& command_line) {
   const char* script = std::getenv("GEODESIC_COMMAND");
-  return script != nullptr && *script != '\0' ? script : command_line;
+  request.of_script = script != nullptr && *script != '\0';
+  request.command = request.of_script ? script : command_line;
 }
 
 }  // namespace
@@ -210,7 +211,8 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   add_request_options(*command, *request, *plan_only);
   command->footer(kExamples);
   command->preparse_callback([request, command_line](std::size_t) {
-    require_text(recorded_command(command_line));
+    set_command(*request, command_line);
+    require_text(request->command);
     request->suite = read_suite(default_suite());
   });
   command->callback([request, plan_only, command_line] {
@@ -225,7 +227,7 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
           "--shard and --cells both choose a part of the run: leave out one of them");
     }
     if (request->resume) load_plugins_of(*request->resume);
-    request->command = recorded_command(command_line);
+    set_command(*request, command_line);
     make_absolute(*request);
     if (*plan_only) {
       check_suite(request->suite);

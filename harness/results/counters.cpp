@@ -6,23 +6,16 @@
 namespace geodesic::harness {
 
 Counters counters_of(const Recording& recording, const Mesh& mesh) {
-  Counters counters{.window_propagations = recording.window_propagations,
-                    .windows_created = recording.windows_created,
-                    .valid_windows = recording.valid_windows,
-                    .reinsertions = recording.reinsertions,
-                    .window_limit = recording.window_limit,
-                    .peak_wavefront = recording.peak_wavefront,
-                    .strip_depth = recording.strip_depth,
-                    .window_bytes = recording.window_bytes};
+  Counters counters{recording};
   if (recording.strip_depth.value_or(0) > 0) {
     counters.strip_b =
         std::pow(mesh.vertex_count(), 1 / static_cast<double>(*recording.strip_depth));
   }
-  if (recording.wavefront_sd && std::isfinite(*recording.wavefront_sd)) {
-    counters.wavefront_sd = recording.wavefront_sd;
-    if (mesh.mean_edge_length() > 0) {
-      counters.wavefront_sd_edges = *recording.wavefront_sd / mesh.mean_edge_length();
-    }
+  if (recording.wavefront_sd && !std::isfinite(*recording.wavefront_sd)) {
+    counters.wavefront_sd.reset();
+  }
+  if (counters.wavefront_sd && mesh.mean_edge_length() > 0) {
+    counters.wavefront_sd_edges = *counters.wavefront_sd / mesh.mean_edge_length();
   }
   // Space by the thesis's rule: windows left at the end for MMP, the only solver with a window
   // limit, and the peak of the wavefront for all others.

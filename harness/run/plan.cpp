@@ -288,15 +288,15 @@ bool leaves_recordings(const Cell& cell, Recordings choice) {
 }
 
 std::vector<Cell> Plan::interleaved_cells(int repetitions) const {
-  std::vector<const MeasuredProgram*> measured;
-  for (const MeasuredProgram& program : programs) measured.push_back(&program);
+  std::vector<const Program*> measured;
+  for (const Program& program : programs) measured.push_back(&program);
   if (measured.empty()) measured.push_back(nullptr);
   std::vector<Cell> all;
   const auto add_repetition = [&](const PlannedMesh& mesh, const SourceSet& source,
                                   int repetition) {
     const auto first = static_cast<std::ptrdiff_t>(all.size());
     for (const Description* solver : solvers) {
-      for (const MeasuredProgram* program : measured) {
+      for (const Program* program : measured) {
         all.push_back({&mesh, &source, solver, program, repetition, std::max(repetitions, 1)});
       }
     }

@@ -30,21 +30,14 @@ struct PlannedMesh {
   const std::string* unsupported_by(std::string_view solver, const SourceSet& source) const;
 };
 
-/// Another build of geodesic-bench that is measured in place of this one.
-struct MeasuredProgram {
-  std::string name;
-  std::filesystem::path file;
-  Json facts = {};  ///< for context.geodesic_bench.programs
-};
-
 /// The measurements of one process.
 struct Cell {
   const PlannedMesh* mesh;
   const SourceSet* source;
   const Description* solver;
-  const MeasuredProgram* program = nullptr;  ///< null: this program
-  int repetition = -1;                       ///< the only one to measure, from 0; -1: all
-  int repetitions = 1;                       ///< number of repetitions, if it is one of several
+  const Program* program = nullptr;  ///< null: this program
+  int repetition = -1;               ///< the only one to measure, from 0; -1: all
+  int repetitions = 1;               ///< number of repetitions, if it is one of several
 
   /// "<solver>/<mesh>/src:<source>"
   std::string name() const;
@@ -65,9 +58,9 @@ struct Plan {
   std::vector<const Description*> solvers = {};
   std::vector<PlannedMesh> meshes = {};
   std::vector<SkippedMesh> skipped = {};
-  std::vector<MeasuredProgram> programs = {};  ///< empty: this program only
-  std::vector<std::string> only = {};          ///< names of the cells to measure; empty: all
-  std::vector<ShardedMesh> whole_run = {};     ///< in a shard: the meshes of the whole run
+  std::vector<Program> programs = {};       ///< empty: this program only
+  std::vector<std::string> only = {};       ///< names of the cells to measure; empty: all
+  std::vector<ShardedMesh> whole_run = {};  ///< in a shard: the meshes of the whole run
 
   /// The cells by mesh, source and solver, in that order, so that drift of the machine affects all
   /// solvers of a mesh alike. The cells point into this plan.

@@ -15,7 +15,7 @@ constexpr const char* kTetrahedron =
     "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
 // Uses only options that every revision has.
-Json result_of_small_run(const ProgramFile& program, const fs::path& folder) {
+Json result_of_small_run(const Program& program, const fs::path& folder) {
   const fs::path out = folder / program.name, result = out / "run.json";
   if (!fs::exists(result)) {
     fs::remove_all(out);  // left by an interrupted run
@@ -38,12 +38,12 @@ Json result_of_small_run(const ProgramFile& program, const fs::path& folder) {
 
 }  // namespace
 
-void check_programs(const std::vector<ProgramFile>& programs) {
+void check_programs(const std::vector<Program>& programs) {
   if (programs.size() == 1) {
     throw HarnessError("--program is given once: two programs or more are measured alternating");
   }
   std::set<std::string> names;
-  for (const auto& [name, file] : programs) {
+  for (const auto& [name, file, facts] : programs) {
     check_name("program name", name);
     if (!names.insert(name).second) throw HarnessError("two programs are named '" + name + "'");
     if (!fs::is_regular_file(file)) {
@@ -52,22 +52,19 @@ void check_programs(const std::vector<ProgramFile>& programs) {
   }
 }
 
-std::vector<MeasuredProgram> measured_programs(const std::vector<ProgramFile>& programs,
-                                               const fs::path& folder) {
-  std::vector<MeasuredProgram> measured;
+std::vector<Program> with_facts(std::vector<Program> programs, const fs::path& folder) {
   if (!programs.empty()) fs::create_directories(folder / "programs");
-  for (const ProgramFile& program : programs) {
+  for (Program& program : programs) {
     const Json result = result_of_small_run(program, folder / "programs");
     const Json& itself = result.at("context").at("geodesic_bench");
-    Json facts{{"name", program.name},
-               {"path", program.file.string()},
-               {"sha256", sha256_of_file(program.file)}};
+    program.facts = {{"name", program.name},
+                     {"path", program.file.string()},
+                     {"sha256", sha256_of_file(program.file)}};
     for (const char* key : {"revision", "modified", "compiler", "compiler_flags", "build_type"}) {
-      facts[key] = itself.at(key);
+      program.facts[key] = itself.at(key);
     }
-    measured.push_back({program.name, program.file, std::move(facts)});
   }
-  return measured;
+  return programs;
 }
 
 }  // namespace geodesic::harness

@@ -25,12 +25,13 @@ Recordings recordings_named(const std::string& word);
 void to_json(Json& json, Recordings choice);
 void from_json(const Json& json, Recordings& choice);
 
-/// Another build of geodesic-bench, whose solvers a run measures.
-struct ProgramFile {
+/// Another build of geodesic-bench, which a run measures in place of this one.
+struct Program {
   std::string name;
   std::filesystem::path file;
+  Json facts = {};  ///< for context.geodesic_bench.programs; of a run that has started
 };
-GEODESIC_JSON_MEMBERS(ProgramFile, name, file)
+GEODESIC_JSON_MEMBERS(Program, name, file)
 
 struct RunRequest {
   Suite suite = {};
@@ -42,18 +43,24 @@ struct RunRequest {
   /// Folder with the mesh files of the suite. Files whose meshes cannot be solved are skipped,
   /// without a failure.
   std::optional<std::filesystem::path> folder = {};
-  bool interleave = false;                 ///< run every repetition in a separate process
-  std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
-  std::vector<std::string> cells = {};     ///< names of the rows to measure; empty: all
-  std::optional<Shard> shard = {};         ///< only this part of the run
+  bool interleave = false;              ///< run every repetition in a separate process
+  std::vector<Program> programs = {};   ///< measured in place of this one; none, or two or more
+  std::vector<std::string> cells = {};  ///< names of the rows to measure; empty: all
+  std::optional<Shard> shard = {};      ///< only this part of the run
 
   // The members below do not change the results.
   std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
   /// References computed at a time; no cell is timed meanwhile.
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::string command = {};                          ///< the command line, for the record
+  std::string command = {};  ///< the command line, for the record
+  bool of_script = false;    ///< a script started the run, and names the command that resumes it
   std::optional<std::filesystem::path> resume = {};  ///< folder of the run to resume
   bool accept_changes = false;                       ///< resume even if the request has changed
+
+  // Of a run that has started, resumed or not (identify, resume.h).
+  Json identity = {};                     ///< all that affects the results, at the last start
+  std::string started = {};               ///< in the format of utc_now
+  std::vector<std::string> changes = {};  ///< accepted since then
 };
 
 // The members that affect the results.

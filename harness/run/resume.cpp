@@ -48,7 +48,9 @@ Json identity(const RunRequest& request, const Plan& plan) {
       meshes.back()["source_sets"][source.name] = sha256_of_json(source.vertices);
     }
   }
-  for (const auto& [name, file] : request.programs) programs[name] = sha256_of_file(file);
+  for (const Program& program : request.programs) {
+    programs[program.name] = sha256_of_file(program.file);
+  }
   return {{"program", program_identity()},
           {"programs", std::move(programs)},
           {"options", request},
@@ -113,32 +115,32 @@ std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
 
 }  // namespace
 
-SavedRequest identify(const RunRequest& request, const Plan& plan) {
-  SavedRequest saved{request, identity(request, plan), utc_now(), {}};
-  if (!request.resume) return saved;
-  const SavedRequest before = saved_request(*request.resume);
-  saved.started = before.started;
-  saved.changes = before.changes;
-  saved.request.command = before.request.command;
-  const std::vector<std::string> changes = differences(before.identity, saved.identity);
+void identify(RunRequest& request, const Plan& plan) {
+  request.identity = identity(request, plan);
+  request.started = utc_now();
+  if (!request.resume) return;
+  const RunRequest before = saved_request(*request.resume);
+  request.started = before.started;
+  request.changes = before.changes;
+  request.command = before.command;
+  const std::vector<std::string> changes = differences(before.identity, request.identity);
   if (!changes.empty() && !request.accept_changes) {
     throw HarnessError("cannot resume the run in '" + request.resume->string() +
                        "': " + join(changes, "; ") +
                        ": start a new run, or mix both results with --accept-changes");
   }
   for (const std::string& change : changes) std::cerr << "accepted: " << change << '\n';
-  saved.changes.insert(saved.changes.end(), changes.begin(), changes.end());
-  return saved;
+  request.changes.insert(request.changes.end(), changes.begin(), changes.end());
 }
 
 // Leaves out paths and the memory limit, which differ between machines with the same files.
-Json shard_context(const SavedRequest& saved, const Plan& plan) {
-  Json program = saved.identity.at("program"), suite = saved.identity.at("options");
+Json shard_context(const RunRequest& request, const Plan& plan) {
+  Json program = request.identity.at("program"), suite = request.identity.at("options");
   for (Json& plugin : program["plugins"]) plugin.erase("file");
-  program["programs"] = saved.identity.at("programs");
+  program["programs"] = request.identity.at("programs");
   for (const char* key : {"shard", "manifest", "programs", "folder"}) suite.erase(key);
   for (const char* key : {"meshes", "memory_limit"}) suite["suite"].erase(key);
-  suite["suite"]["solvers"] = saved.identity.at("solvers");
+  suite["suite"]["solvers"] = request.identity.at("solvers");
   for (Json& set : suite["suite"]["source_sets"]) set = name_of_source_set(set);
   std::set<std::string> here;
   for (const PlannedMesh& mesh : plan.meshes) here.insert(mesh.entry.name);
@@ -150,8 +152,8 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
   for (const PlannedMesh& mesh : plan.meshes) {
     sources[mesh.entry.name] = names_in_json(mesh.run_sources);
   }
-  return {{"index", saved.request.shard->index},
-          {"of", saved.request.shard->of},
+  return {{"index", request.shard->index},
+          {"of", request.shard->of},
           {"suite", sha256_of_json(suite)},
           {"program", sha256_of_json(program)},
           {"meshes", sha256_of_json(plan.whole_run)},
@@ -159,15 +161,15 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
           {"sources", Json(sources)}};
 }
 
-void save_request(const SavedRequest& saved, const fs::path& folder) {
+void save_request(const RunRequest& request, const fs::path& folder) {
   write_json(folder / kFile, {{"schema_version", kVersion},
-                              {"command", saved.request.command},
-                              {"started", saved.started},
-                              {"changes", saved.changes},
-                              {"identity", saved.identity}});
+                              {"command", request.command},
+                              {"started", request.started},
+                              {"changes", request.changes},
+                              {"identity", request.identity}});
 }
 
-SavedRequest saved_request(const fs::path& folder) {
+RunRequest saved_request(const fs::path& folder) {
   const fs::path file = folder / kFile;
   if (!fs::exists(file)) {
     throw HarnessError("'" + folder.string() + "' holds no run to resume (it has no " + kFile +
@@ -176,14 +178,13 @@ SavedRequest saved_request(const fs::path& folder) {
   const Json json = read_json(file);
   try {
     if (json.at("schema_version") != kVersion) throw HarnessError("another version wrote it");
-    SavedRequest saved;
-    saved.identity = json.at("identity");
-    json.at("started").get_to(saved.started);
-    json.at("changes").get_to(saved.changes);
-    saved.identity.at("options").get_to(saved.request);
-    json.at("command").get_to(saved.request.command);
-    saved.request.resume = folder;
-    return saved;
+    RunRequest request = json.at("identity").at("options");
+    request.identity = json.at("identity");
+    json.at("started").get_to(request.started);
+    json.at("changes").get_to(request.changes);
+    json.at("command").get_to(request.command);
+    request.resume = folder;
+    return request;
   } catch (const std::exception& error) {
     throw HarnessError("cannot resume the run: " + file.string() + ": " + error.what());
   }

@@ -12,32 +12,26 @@
 
 namespace geodesic::harness {
 
-/// request.json of a run folder.
-struct SavedRequest {
-  RunRequest request;
-  Json identity;                     ///< all that affects the results, at the last start
-  std::string started;               ///< in the format of utc_now
-  std::vector<std::string> changes;  ///< accepted since then
-};
-
-/// The request with the identity of the program, the solvers and the meshes. A request that resumes
-/// a run keeps the command and the start of that run.
+/// Adds the identity of the program, the solvers and the meshes to the request, and the start. A
+/// request that resumes a run gets the command, the start and the accepted changes of that run.
 /// @throws HarnessError when the run to resume had another identity and the request does not accept
 ///         changes; accepted changes are listed on standard error
-SavedRequest identify(const RunRequest& request, const Plan& plan);
+void identify(RunRequest& request, const Plan& plan);
 
 /// The data about the whole run in the result file of a shard (results/README.md).
-Json shard_context(const SavedRequest& saved, const Plan& plan);
+/// @param request after `identify`
+Json shard_context(const RunRequest& request, const Plan& plan);
 
-/// Writes request.json.
-void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
+/// Writes request.json. @param request after `identify`
+void save_request(const RunRequest& request, const std::filesystem::path& folder);
 
 /// Loads the plug-ins of the folder's run that are not loaded yet. @throws HarnessError as
 /// load_by_option, and when request.json is missing or invalid
 void load_plugins_of(const std::filesystem::path& folder);
 
-/// Reads request.json. @throws HarnessError when the file is missing or invalid
-SavedRequest saved_request(const std::filesystem::path& folder);
+/// Reads request.json, as the request that resumes the run.
+/// @throws HarnessError when the file is missing or invalid
+RunRequest saved_request(const std::filesystem::path& folder);
 
 /// Removes unfinished files of processes that were killed.
 void remove_parts_of_files(const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 #include "harness/run/run.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -31,9 +30,8 @@ namespace {
 
 class Run {
  public:
-  Run(const SavedRequest& saved, const Plan& plan, fs::path folder)
-      : saved_(saved),
-        request_(saved.request),
+  Run(const RunRequest& request, const Plan& plan, fs::path folder)
+      : request_(request),
         plan_(plan),
         cells_(plan.interleaved_cells(request_.interleave ? request_.suite.repetitions : -1)),
         folder_(std::move(folder)),
@@ -60,7 +58,6 @@ class Run {
   void drop_parts_of_other_processors();
   void note_failure(const Cell& cell, const Row& row);
 
-  const SavedRequest& saved_;
   const RunRequest& request_;
   const Plan& plan_;
   const std::vector<Cell> cells_;
@@ -73,9 +70,9 @@ class Run {
   std::size_t referenced_ = 0;  // the references of the cells before this one have been computed
   std::vector<Row> rows_;       // of all cells so far
   // The outcome and source of the first cell that exceeded its memory or time limit.
-  std::map<std::tuple<const MeasuredProgram*, const Description*, const PlannedMesh*>, std::string>
+  std::map<std::tuple<const Program*, const Description*, const PlannedMesh*>, std::string>
       exhausted_;
-  std::set<std::pair<const MeasuredProgram*, std::string>> failed_;  // names of cells
+  std::set<std::pair<const Program*, std::string>> failed_;  // names of cells
 };
 
 CellSpec Run::spec_of(const Cell& cell) const {
@@ -235,8 +232,7 @@ void Run::explain_resuming() const {
   std::cerr << "\n"
             << kept_.size() + measured_ << " of " << cells_.size() << " cells are saved in "
             << folder;
-  // A script names the command that continues its own steps.
-  if (std::getenv("GEODESIC_COMMAND") == nullptr) {
+  if (!request_.of_script) {
     std::cerr << "; to measure the others:\n  " << as_command_line({"run", "--resume", folder});
   }
   std::cerr << std::endl;
@@ -244,15 +240,15 @@ void Run::explain_resuming() const {
 
 void Run::assemble() const {
   Json whole = run_context(request_, plan_);
-  whole["started"] = saved_.started;
+  whole["started"] = request_.started;
   std::vector<Row> rows = rows_;
   if (!rows.empty()) whole["processor"] = *rows_.front().processor;
   for (Row& row : rows) {
     if (row.processor == rows_.front().processor) row.processor.reset();
   }
-  if (request_.shard) whole["shard"] = shard_context(saved_, plan_);
-  for (const MeasuredProgram& program : plan_.programs) whole["programs"].push_back(program.facts);
-  if (!saved_.changes.empty()) whole["changes"] = saved_.changes;
+  if (request_.shard) whole["shard"] = shard_context(request_, plan_);
+  for (const Program& program : plan_.programs) whole["programs"].push_back(program.facts);
+  if (!request_.changes.empty()) whole["changes"] = request_.changes;
   write_result_file(folder_ / "run.json", benchmark_context(), whole, rows);
 }
 
@@ -323,14 +319,14 @@ RunResult run(RunRequest request) {
   const auto folder = request.resume
                           ? std::make_unique<RunFolder>(*request.resume)
                           : std::make_unique<RunFolder>(request.out, default_name(request));
-  const SavedRequest saved = identify(request, plan);
-  save_request(saved, folder->path());
+  identify(request, plan);
+  save_request(request, folder->path());
   folder->make_subfolders();
   write_sources(plan, folder->path());
 
   const InterruptionGuard guard;
-  plan.programs = measured_programs(request.programs, folder->path());
-  Run run(saved, plan, folder->path());
+  plan.programs = with_facts(request.programs, folder->path());
+  Run run(request, plan, folder->path());
   if (request.resume) run.keep_measured_cells();
   try {
     run.measure();

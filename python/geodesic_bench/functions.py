@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from geodesic_bench.program import FAULT, Option, Results, flags, program
+from geodesic_bench.program import FAULT, Option, Results, drive, flags, program
 from numpy.typing import ArrayLike, NDArray
 
 Solve = Callable[[NDArray[np.int64]], ArrayLike]
@@ -74,7 +74,7 @@ def benchmark(
     with _Described(_named(functions), promise) as described:
         names = ",".join([*described.names, *against])
         words = ["run", f"--out={os.fspath(out)}", f"--solvers={names}", *flags(options)]
-        said = described.drive([program(executable), *described.words, *words], progress)
+        _, said = drive([program(executable), *described.words, *words], progress)
     if not file.exists():
         raise ValueError(said[-1].removeprefix(FAULT))
     return Results(file)
@@ -105,11 +105,11 @@ def verify(
     with _Described(_named(function), promise) as described, tempfile.TemporaryDirectory() as folder:
         (name,) = described.names
         words = ["verify", f"--solver={name}", *flags({"out": folder} | options)]
-        said = described.drive([program(executable), *described.words, *words], progress)
+        code, said = drive([program(executable), *described.words, *words], progress)
     failed = [line.split()[1] for line in said if line.startswith("  FAILS ")]
     if failed:
         raise ValueError(f"{name} does not keep: {', '.join(failed)}")
-    if described.code:
+    if code:
         raise ValueError(said[-1].removeprefix(FAULT))
 
 
@@ -133,7 +133,6 @@ class _Described:
         self.promise: dict[str, object] = {"promise": promise}
         if not isinstance(promise, str):
             self.promise = {"promise": "bounded", "error_bound": promise}
-        self.code = 0
         for command in self.commands.values():
             looked = subprocess.run(command, capture_output=True, text=True, check=False)
             if looked.returncode:
@@ -153,24 +152,6 @@ class _Described:
 
     def __exit__(self, *_: object) -> None:
         self.folder.cleanup()
-
-    def drive(self, command: list[str], progress: bool) -> list[str]:
-        """Runs the program to its end. @return the lines that the program prints"""
-        said: list[str] = []
-        sys.stdout.flush()  # the caller's lines come before those of the program
-        with subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
-        ) as process:
-            try:
-                for line in process.stdout or ():
-                    said.append(line.decode(errors="replace").removesuffix("\n"))
-                    if progress and not said[-1].startswith(FAULT):  # errors are raised instead
-                        sys.stderr.write(said[-1] + "\n")
-            except BaseException:
-                process.terminate()
-                raise
-        self.code = process.returncode
-        return said or [""]
 
 
 def _command(function: Prepare) -> list[str]:

@@ -90,20 +90,30 @@ def run(
     if file.exists():
         raise ValueError(f"{file} is there already: choose another folder")
     command = [program(executable), "run", f"--out={os.fspath(out)}", *flags(options)]
-    said = ""
+    _, said = drive(command, progress)
+    if not file.exists():
+        raise ValueError(said[-1].removeprefix(FAULT))
+    return Results(file)
+
+
+def drive(command: list[str], progress: bool) -> tuple[int, list[str]]:
+    """Runs the program to its end.
+
+    @return the exit code and the lines that it printed, on both streams; at least one"""
+    said: list[str] = []
+    sys.stdout.flush()  # the caller's lines come before those of the program
     with subprocess.Popen(
-        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace"
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
     ) as process:
         try:
-            for said in process.stderr or ():
-                if progress and not said.startswith(FAULT):  # errors are raised instead
-                    sys.stderr.write(said)
+            for line in process.stdout or ():
+                said.append(line.decode(errors="replace").removesuffix("\n"))
+                if progress and not said[-1].startswith(FAULT):  # errors are raised instead
+                    sys.stderr.write(said[-1] + "\n")
         except BaseException:
             process.terminate()
             raise
-    if not file.exists():
-        raise ValueError(said.strip().removeprefix(FAULT))
-    return Results(file)
+    return process.returncode, said or [""]
 
 
 def program(named: str | os.PathLike[str] | None) -> str:

@@ -83,16 +83,9 @@ enum class RecordingKind : std::uint8_t {
   paths,        ///< the last segments of paths, nothing else
 };
 
-/// Integer results are the same in every run and on every machine.
-struct Recording {
-  RecordingKind kind = RecordingKind::counters;  ///< set by the caller
-  /// For RecordingKind::wavefront: shares of the reachable vertices at which snapshots are taken,
-  /// ascending.
-  std::vector<double> snapshots_at = {};
-  /// For RecordingKind::windows: called once at the end of the solve, by solvers that keep windows
-  /// (Description::final_windows).
-  const ReadWindows* read_windows = nullptr;
-
+/// What a solve counts; empty where the solver does not count it. The integers but `window_bytes`
+/// are the same in every run and on every machine. results/run.schema.json has their names too.
+struct SolveCounters {
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
   std::optional<std::uint64_t> windows_created;      ///< before redundancy reduction; not in MMP
   std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
@@ -102,6 +95,32 @@ struct Recording {
   std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
   std::optional<std::uint64_t> window_bytes;    ///< size of one stored window
   std::optional<double> wavefront_sd;           ///< mean over samples, in units of length
+
+  bool operator==(const SolveCounters&) const = default;
+};
+
+/// Calls `visit(name, member)` for each of these counters.
+template <class SomeCounters, class Visit>
+void for_each_solve_counter(SomeCounters& counters, const Visit& visit) {
+  visit("window_propagations", counters.window_propagations);
+  visit("windows_created", counters.windows_created);
+  visit("valid_windows", counters.valid_windows);
+  visit("reinsertions", counters.reinsertions);
+  visit("window_limit", counters.window_limit);
+  visit("peak_wavefront", counters.peak_wavefront);
+  visit("strip_depth", counters.strip_depth);
+  visit("window_bytes", counters.window_bytes);
+  visit("wavefront_sd", counters.wavefront_sd);
+}
+
+struct Recording : SolveCounters {
+  RecordingKind kind = RecordingKind::counters;  ///< set by the caller
+  /// For RecordingKind::wavefront: shares of the reachable vertices at which snapshots are taken,
+  /// ascending.
+  std::vector<double> snapshots_at = {};
+  /// For RecordingKind::windows: called once at the end of the solve, by solvers that keep windows
+  /// (Description::final_windows).
+  const ReadWindows* read_windows = nullptr;
 
   std::optional<PhaseTimes> phase_times;
 

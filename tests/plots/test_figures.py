@@ -168,6 +168,7 @@ def legend(figure: Figure) -> list[str]:
 def cut_texts(figure: Figure) -> list[str]:
     """Returns the texts that extend beyond the edge of the page by more than a pixel."""
     figure.canvas.draw()
+    figure.set_layout_engine("none")  # the layout takes half of the time of a drawing, and stays
     page = figure.bbox.padded(1)
     renderer = figure.canvas.get_renderer()
     hidden = beyond_the_axis(figure)
