@@ -25,6 +25,7 @@
 #include "meshes/load.h"
 #include "meshes/pair_distances.h"
 #include "meshes/point_solver.h"
+#include "meshes/weld.h"
 #include "solvers/paths/paths.h"
 
 namespace geodesic {
@@ -36,10 +37,15 @@ class SurfaceMesh {
   /// @throws std::invalid_argument for the reasons of Mesh's constructor
   SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
       : mesh_(positions, triangles, Numbering::along_surface) {}
+  /// With joined vertices: meshes/weld.h. `SurfaceMesh({positions, triangles}, 0)` joins those at
+  /// the same place.
+  /// @throws std::invalid_argument also for a distance that is negative or not finite
+  SurfaceMesh(TriangleSoup soup, double weld_distance)
+      : mesh_(welded(std::move(soup), weld_distance), Numbering::along_surface) {}
   explicit SurfaceMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
 
   Index vertex_count() const { return mesh_.vertex_count(); }
-  Index face_count() const { return mesh_.given_face_count(); }
+  Index face_count() const { return mesh_.external_face_count(); }
   /// Position of a vertex, whose number is not checked.
   Vec3 position(Index vertex) const {
     return mesh_.position(mesh_.numbers().internal_vertex(vertex));
@@ -51,6 +57,11 @@ class SurfaceMesh {
   operator const Mesh&() const&& = delete;
 
  private:
+  static TriangleSoup welded(TriangleSoup soup, double distance) {
+    weld(soup, distance);
+    return soup;
+  }
+
   Mesh mesh_;
 };
 

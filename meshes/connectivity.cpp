@@ -1,6 +1,7 @@
 #include "meshes/connectivity.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace geodesic {
 namespace {
@@ -43,6 +44,9 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, const std::vector<bool
     });
   }
 }
+
+EdgeTable::EdgeTable(const TriangleSoup& soup)
+    : EdgeTable(soup.triangles, faces_of(soup), soup.positions.size()) {}
 
 std::vector<SortedFace> sort_faces(std::span<const Triangle> triangles,
                                    const std::vector<bool>& usable) {
@@ -131,11 +135,20 @@ std::vector<bool> boundary_vertices(const TriangleSoup& soup) {
 TriangleSoup soup_of(const Mesh& mesh) {
   const MeshNumbers& numbers = mesh.numbers();
   TriangleSoup soup{std::vector<Vec3>(mesh.vertex_count()),
-                    std::vector<Triangle>(mesh.given_face_count())};
+                    std::vector<Triangle>(mesh.external_face_count())};
+  std::vector<Index> joined_to(mesh.vertex_count());
+  bool is_joined = false;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     soup.positions[numbers.external_vertex(v)] = mesh.position(v);
+    joined_to[v] = numbers.external_vertex(numbers.internal_vertex(v));
+    is_joined |= joined_to[v] != v;
+  }
+  if (is_joined) soup.joined_to = std::move(joined_to);
+  if (mesh.given_face_count() < mesh.external_face_count()) {
+    soup.left_out.assign(mesh.external_face_count(), true);
   }
   for (Index f = 0; f < mesh.given_face_count(); ++f) {
+    if (!soup.left_out.empty()) soup.left_out[numbers.external_face(f)] = false;
     Triangle& given = soup.triangles[numbers.external_face(f)];
     given = mesh.triangle(f);
     for (Index& corner : given) corner = numbers.external_vertex(corner);
@@ -152,8 +165,24 @@ TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
   return first;
 }
 
+std::vector<bool> faces_of(const TriangleSoup& soup) {
+  std::vector<bool> faces(soup.triangles.size(), true);
+  if (!soup.left_out.empty())
+    std::ranges::transform(soup.left_out, faces.begin(), std::logical_not<>());
+  return faces;
+}
+
+TriangleSoup without_left_out(TriangleSoup soup) {
+  const std::vector<bool> left_out = std::move(soup.left_out);
+  soup.left_out.clear();
+  if (!left_out.empty()) drop_faces(soup, left_out);
+  return soup;
+}
+
 std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped) {
   std::size_t f = 0;
+  std::erase_if(soup.left_out, [&](bool) { return dropped[f++]; });
+  f = 0;
   return std::erase_if(soup.triangles, [&](const Triangle&) { return dropped[f++]; });
 }
 

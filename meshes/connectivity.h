@@ -67,10 +67,8 @@ class EdgeTable {
   ///        different vertices below vertex_count.
   EdgeTable(std::span<const Triangle> triangles, const std::vector<bool>& usable,
             std::size_t vertex_count);
-  /// Edges of all triangles, which must be usable.
-  explicit EdgeTable(const TriangleSoup& soup)
-      : EdgeTable(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
-                  soup.positions.size()) {}
+  /// Edges of all faces, which must be usable.
+  explicit EdgeTable(const TriangleSoup& soup);
 
   /// Calls visit(std::span<const EdgeSide>) for every edge with all its sides, in order of their
   /// half-edges; edges come in order of (low, high).
@@ -122,7 +120,14 @@ std::vector<bool> used_vertices(std::span<const Triangle> triangles, std::size_t
 /// direction.
 std::vector<bool> boundary_vertices(const TriangleSoup& soup);
 
-/// Returns the vertices and faces that the mesh was built from.
+/// Returns one flag per triangle: whether it is a face, and not left out.
+std::vector<bool> faces_of(const TriangleSoup& soup);
+
+/// Returns the mesh without the triangles that are left out, so that the numbers of faces close up.
+TriangleSoup without_left_out(TriangleSoup soup);
+
+/// Returns the vertices and faces that the mesh was built from. A triangle that is left out has no
+/// corners: three times vertex 0.
 TriangleSoup soup_of(const Mesh& mesh);
 
 /// Joins two meshes as separate components: the elements of the second follow those of the first.

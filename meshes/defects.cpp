@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "meshes/coincidence.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic {
@@ -25,6 +26,10 @@ constexpr std::array<DefectType, kDefectKinds> kTypes = {{
      Severity::warning},
     {"zero_length_edge", "zero-length edge", "zero-length edges", Severity::warning},
     {"isolated_vertex", "isolated vertex", "isolated vertices", Severity::warning},
+    {"coincident_vertex", "vertex where an earlier one lies", "vertices where an earlier one lies",
+     Severity::warning},
+    {"nearly_coincident_vertex", "vertex within 1e-6 mean edge lengths of an earlier one",
+     "vertices within 1e-6 mean edge lengths of an earlier one", Severity::warning},
     {"several_components", "component", "components that no path connects", Severity::warning},
 }};
 
@@ -43,6 +48,7 @@ FaceCensus take_census_of_faces(const TriangleSoup& soup) {
   }
   census.usable.resize(soup.triangles.size());
   for (Index f = 0; f < soup.triangles.size(); ++f) {
+    if (!soup.is_face(f)) continue;
     const auto& [a, b, c] = soup.triangles[f];
     if (std::max({a, b, c}) >= soup.positions.size()) {
       census.index_out_of_range.push_back(f);
@@ -95,7 +101,8 @@ EdgeTable complete(FaceCensus& census, const TriangleSoup& soup) {
 class Finder {
  public:
   Finder(const TriangleSoup& soup, const FileLines& lines)
-      : positions_(soup.positions),
+      : soup_(soup),
+        positions_(soup.positions),
         triangles_(soup.triangles),
         lines_(lines),
         census_(take_census_of_faces(soup)),
@@ -105,6 +112,7 @@ class Finder {
     report_unusable_faces();
     report_edges();
     report_fans();
+    report_coincidences();
     report_flat_faces();
     report_components();
     std::ranges::sort(report_.defects, {}, &Defect::kind);
@@ -180,8 +188,10 @@ class Finder {
           origin_of(triangles_, sides[0].half_edge) == origin_of(triangles_, sides[1].half_edge)) {
         found(DefectKind::inconsistent_orientation);
       }
-      const Vec3 along = subtract(positions_[sides[0].low], positions_[sides[0].high]);
-      if (norm(along) == 0) found(DefectKind::zero_length_edge);
+      const double length = length_of(sides);
+      if (length == 0) found(DefectKind::zero_length_edge);
+      sum_of_lengths_ += length;
+      ++edge_count_;
     });
     for (std::size_t k = 0; k < kDefectKinds; ++k) {
       report(static_cast<DefectKind>(k), counts[k], examples[k]);
@@ -209,7 +219,42 @@ class Finder {
       }
     });
     report_vertices(DefectKind::non_manifold_vertex, [&](Index v) { return groups_at[v] > 1; });
-    report_vertices(DefectKind::isolated_vertex, [&](Index v) { return groups_at[v] == 0; });
+    report_vertices(DefectKind::isolated_vertex,
+                    [&](Index v) { return groups_at[v] == 0 && !soup_.is_joined(v); });
+  }
+
+  double length_of(std::span<const EdgeSide> sides) const {
+    return norm(subtract(positions_[sides[0].low], positions_[sides[0].high]));
+  }
+
+  // Vertices that short edges connect belong to one surface there. Vertices of other sets are
+  // counted, one less than sets.
+  void report_coincidences() {
+    if (edge_count_ == 0) return;
+    const double near = kNearlyCoincident * (sum_of_lengths_ / static_cast<double>(edge_count_));
+    std::vector<bool> used(positions_.size(), false);
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (!census_.usable[f]) continue;
+      for (const Index v : triangles_[f]) used[v] = true;
+    }
+    const Coincidences found = find_coincidences(positions_, used, near);
+    if (found.same.empty() && found.near.empty()) return;
+    DisjointSets connected(positions_.size());
+    edges_.for_each_edge([&](std::span<const EdgeSide> sides) {
+      if (length_of(sides) <= near) connected.join(sides[0].low, sides[0].high);
+    });
+    const auto report_pairs = [&](DefectKind kind,
+                                  const std::vector<std::pair<Index, Index>>& pairs,
+                                  const std::string& where) {
+      std::size_t count = 0;
+      std::string example;
+      for (const auto& [a, b] : pairs) {
+        if (connected.join(a, b) && count++ == 0) example = vertex(b) + where + vertex(a);
+      }
+      report(kind, count, std::move(example));
+    };
+    report_pairs(DefectKind::coincident_vertex, found.same, " at the place of ");
+    report_pairs(DefectKind::nearly_coincident_vertex, found.near, " near ");
   }
 
   template <class IsFound>
@@ -232,11 +277,14 @@ class Finder {
            "the second holds " + face(first_of_each[1]));
   }
 
+  const TriangleSoup& soup_;
   std::span<const Vec3> positions_;
   std::span<const Triangle> triangles_;
   const FileLines& lines_;
   FaceCensus census_;
   EdgeTable edges_;
+  double sum_of_lengths_ = 0;
+  std::size_t edge_count_ = 0;
   DefectReport report_;
 };
 

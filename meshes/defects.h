@@ -27,9 +27,12 @@ enum class DefectKind {
   zero_area_face,            ///< face whose vertices lie on a line, up to rounding
   zero_length_edge,          ///< edge between different vertices at the same position
   isolated_vertex,           ///< vertex without a face; it is kept and unreachable
+  coincident_vertex,         ///< vertex of faces at the place of an earlier one, which no edge of
+                             ///< length 0 connects with it: paths do not cross between their faces
+  nearly_coincident_vertex,  ///< the same, not at its place but within kNearlyCoincident
   several_components,        ///< groups of faces that no path connects; counted when more than one
 };
-inline constexpr std::size_t kDefectKinds = 11;
+inline constexpr std::size_t kDefectKinds = 13;
 
 enum class Severity { error, warning };
 
@@ -64,6 +67,10 @@ inline constexpr double kLargestCoordinate = 1e150;
 /// A face has zero area if its height over its longest side, divided by the length of that side, is
 /// below this value: three points on a line have such heights after rounding.
 inline constexpr double kFlatHeight = 1e-15;
+
+/// Two vertices nearly coincide if their distance, divided by the mean edge length, is at most this
+/// value: rounding to floats moves vertices less, unless the mesh is far from the origin.
+inline constexpr double kNearlyCoincident = 1e-6;
 
 /// The usable faces, which a repair keeps, and the reasons why the others are unusable.
 struct FaceCensus {

@@ -31,9 +31,9 @@ class Level {
       : mesh_(mesh), distances_(distances), level_(level), passed_(mesh.given_face_count()) {}
 
   void append_lines(std::vector<Isoline>& lines) {
-    for (Index given = 0; given < mesh_.given_face_count(); ++given) {
+    for (Index given = 0; given < mesh_.external_face_count(); ++given) {
       const Index face = mesh_.numbers().internal_face(given);
-      if (passed_[face] || !is_crossed(face)) continue;
+      if (face == kNone || passed_[face] || !is_crossed(face)) continue;
       Isoline line = line_from(first_of_line(entry(face)));
       if (line.points.size() > 1) lines.push_back(std::move(line));
     }
@@ -148,7 +148,9 @@ std::vector<Isoline> isolines(const Mesh& mesh, std::span<const double> distance
       throw std::invalid_argument("the distance of vertex " + std::to_string(v) +
                                   " must be 0 or more, not " + text_of(distances[v]));
     }
-    own[mesh.numbers().internal_vertex(v)] = distances[v];
+  }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    own[v] = distances[mesh.numbers().external_vertex(v)];
   }
   for (const double level : levels) {
     if (!(level > 0 && level < kInfinity)) {

@@ -1,5 +1,6 @@
 #include "meshes/load.h"
 
+#include <algorithm>
 #include <exception>
 #include <future>
 #include <stdexcept>
@@ -10,16 +11,22 @@
 namespace geodesic {
 namespace {
 
-LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& name,
-                     const LoadOptions& options) {
+LoadedMesh load_mesh(MeshFile file, std::vector<RepairAction> welds, DefectReport defects,
+                     const std::string& name, const LoadOptions& options) {
   LoadedMesh mesh;
+  mesh.welds = std::move(welds);
   mesh.soup = std::move(file.soup);
   mesh.format = std::move(file.format);
   mesh.defects = std::move(defects);
   if (options.repair) mesh.repairs = repair(mesh.soup, options.non_manifold_edges);
   require_measurable(mesh.soup, mesh.defects, name, options);
   mesh.warnings = std::move(file.warnings);
-  for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
+  for (const RepairAction& action : mesh.welds) {
+    mesh.warnings.push_back("weld: " + action.summary());
+  }
+  for (const Defect& defect : mesh.defects.defects) {
+    mesh.warnings.push_back(defect.text() + remedy_of(defect, options.weld_option));
+  }
   for (const RepairAction& action : mesh.repairs) {
     mesh.warnings.push_back("repair: " + action.summary());
   }
@@ -40,6 +47,33 @@ std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifol
   return text;
 }
 
+std::string remedy_of(const Defect& defect, const std::string& weld_option) {
+  const bool near = defect.kind == DefectKind::nearly_coincident_vertex;
+  if (!near && defect.kind != DefectKind::coincident_vertex) return {};
+  const std::string option =
+      near ? weld_option.substr(0, weld_option.find('=')) + "=DISTANCE" : weld_option;
+  return ": paths do not cross there; " + option +
+         (defect.count == 1 ? " joins it" : " joins them");
+}
+
+std::string list_seams(const DefectReport& report, const std::string& weld_option) {
+  std::string text;
+  for (const Defect& defect : report.defects) {
+    const std::string remedy = remedy_of(defect, weld_option);
+    if (!remedy.empty()) text += (text.empty() ? "" : "; ") + defect.text() + remedy;
+  }
+  return text;
+}
+
+std::vector<RepairAction> weld_if_asked(MeshFile& file, const LoadOptions& options) {
+  if (!options.weld) return {};
+  try {
+    return weld(file.soup, *options.weld);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(error.what());
+  }
+}
+
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                         const std::string& name, const LoadOptions& options) {
   const std::string errors = list_errors(defects, options.non_manifold_edges);
@@ -47,7 +81,13 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
     throw MeshError(name + ": distances would be meaningless: " + errors +
                     "; correct the file or use " + options.repair_option);
   }
-  if (soup.triangles.empty()) throw MeshError(name + ": no usable face is left: " + errors);
+  const bool has_faces = std::ranges::count(faces_of(soup), true) > 0;
+  if (!has_faces && !soup.left_out.empty()) {
+    throw MeshError(name +
+                    ": every face collapses when vertices are joined; join them within a "
+                    "smaller distance");
+  }
+  if (!has_faces) throw MeshError(name + ": no usable face is left: " + errors);
   try {
     check_extent(soup.positions);
   } catch (const std::invalid_argument& error) {
@@ -60,8 +100,9 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
 }
 
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
+  std::vector<RepairAction> welds = weld_if_asked(file, options);
   DefectReport defects = find_defects(file.soup, file.lines);
-  return load_mesh(std::move(file), std::move(defects), name, options);
+  return load_mesh(std::move(file), std::move(welds), std::move(defects), name, options);
 }
 
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options) {
@@ -75,6 +116,7 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
     build(built.loaded.soup);
     return built;
   }
+  std::vector<RepairAction> welds = weld_if_asked(file, options);
   std::future<DefectReport> defects =
       std::async([&file] { return find_defects(file.soup, file.lines); });
   std::exception_ptr unfit;
@@ -83,7 +125,8 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
   } catch (const std::invalid_argument&) {  // the defects give a better message
     unfit = std::current_exception();
   }
-  built.loaded = load_mesh(std::move(file), defects.get(), path.string(), options);
+  built.loaded =
+      load_mesh(std::move(file), std::move(welds), defects.get(), path.string(), options);
   if (unfit) std::rethrow_exception(unfit);
   return built;
 }

@@ -3,34 +3,42 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "meshes/defects.h"
 #include "meshes/mesh_file.h"
 #include "meshes/repair.h"
+#include "meshes/weld.h"
 #include "solvers/core/mesh.h"
 
 namespace geodesic {
 
 struct LoadOptions {
   bool repair = false;  ///< repair a mesh with errors instead of rejecting it (see repair.h)
+  /// Joins vertices within this distance (see weld.h), before defects are searched for and
+  /// repaired; not set: joins none.
+  std::optional<double> weld = {};
   /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are not errors,
   /// and a repair does not cut them.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
   std::string repair_option = "--repair";  ///< option that requests a repair, for messages
+  std::string weld_option = "--weld";      ///< option that requests a weld, for messages
 };
 
 struct LoadedMesh {
   TriangleSoup soup;  ///< valid for the constructor of Mesh
   std::string format;
-  DefectReport defects;               ///< of the file, before any repair
+  std::vector<RepairAction> welds;    ///< empty if no vertices were joined
+  DefectReport defects;               ///< of the file, after any weld and before any repair
   std::vector<RepairAction> repairs;  ///< empty without LoadOptions::repair
-  std::vector<std::string> warnings;  ///< one line each, without the file's name: defects, repairs
-                                      ///< and warnings of the parser
+  std::vector<std::string> warnings;  ///< one line each, without the file's name: welds, defects,
+                                      ///< repairs and warnings of the parser
 };
 
-/// @throws MeshError if the file cannot be read, if it has defects that are errors and `repair` is
+/// @throws MeshError if the file cannot be read, if `weld` is no distance, if it has defects that
+/// are errors and `repair` is
 ///         false, or if no face remains after the repair
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
@@ -50,8 +58,19 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
 /// @param non_manifold_edges as in LoadOptions
 std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges);
 
+/// What to do about a defect that a weld remedies: "; --weld joins them". Empty for others.
+/// @param weld_option as in LoadOptions
+std::string remedy_of(const Defect& defect, const std::string& weld_option);
+
+/// Lists the defects that a weld remedies, with their remedies, in one line; empty without them.
+std::string list_seams(const DefectReport& report, const std::string& weld_option);
+
+/// Joins the vertices of a file as the options say.
+/// @throws MeshError for a distance that is negative or not finite
+std::vector<RepairAction> weld_if_asked(MeshFile& file, const LoadOptions& options);
+
 /// Checks that a mesh is suitable for solvers.
-/// @param soup the mesh after the repair, if any
+/// @param soup the mesh after the weld and the repair, if any
 /// @param defects the defects of the file before the repair
 /// @param name the file's name, for messages
 /// @throws MeshError for the reasons of `load_mesh`

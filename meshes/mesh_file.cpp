@@ -9,6 +9,7 @@
 #include <fstream>
 #include <optional>
 
+#include "meshes/connectivity.h"
 #include "meshes/formats/parsing.h"
 
 namespace geodesic {
@@ -184,6 +185,7 @@ MeshFile read_mesh_file(const fs::path& path) {
 }
 
 std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path) {
+  if (!soup.left_out.empty()) return mesh_bytes(without_left_out(soup), path);
   const auto refuse = [&](const std::string& why) {
     throw MeshError("cannot write '" + path.string() + "': " + why);
   };

@@ -52,7 +52,8 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name);
 
 /// Returns the bytes of a mesh file; the extension of the path selects the format. OBJ and OFF have
 /// 17 digits, which restore the same doubles; PLY is binary little-endian with doubles. Vertices
-/// and faces keep their order.
+/// and faces keep their order. Triangles that are left out are not written; joined vertices are,
+/// and no face names them.
 /// @throws MeshError for another extension and for an index out of range
 std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path);
 

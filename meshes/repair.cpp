@@ -14,6 +14,9 @@ std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
     if (!census.finite_vertices[v]) soup.positions[v] = {0, 0, 0};
   }
   census.usable.flip();
+  for (std::size_t f = 0; f < soup.left_out.size(); ++f) {
+    if (soup.left_out[f]) census.usable[f] = false;
+  }
   drop_faces(soup, census.usable);
   return {{"dropped_index_out_of_range", "faces that name a vertex that does not exist dropped",
            census.index_out_of_range.size(), true, DefectKind::index_out_of_range},

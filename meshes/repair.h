@@ -34,8 +34,9 @@ struct RepairAction {
 ///     its faces, so that paths cross it at its end vertices only. If paths are to cross such
 ///     edges, this step is left out.
 /// All other defects (zero-area faces, zero-length edges, non-manifold and isolated vertices,
-/// several components) stay: the solvers handle them. Faces keep their order, vertices their ids.
-/// A second repair changes nothing: it only reports the cuts of step 4 again.
+/// several components) stay: the solvers handle them. A repair joins no vertices: sheets that
+/// touch, or a cut along which the surface ends, may be meant (see weld.h). Faces keep their order,
+/// vertices their ids. A second repair changes nothing: it only reports the cuts of step 4 again.
 /// @param non_manifold_edges as the constructor of Mesh will get it
 /// @return the changes; empty for a mesh without errors
 std::vector<RepairAction> repair(TriangleSoup& soup,

@@ -88,9 +88,10 @@ void Surface::count(MeshSummary& summary) {
     summary.edges += stands_for_edge(h) ? 1u : 0u;
     summary.boundary_edges += is_boundary(h) ? 1u : 0u;
   }
-  const auto isolated =
-      std::ranges::count(used_vertices(triangles_, soup_.positions.size()), false);
-  summary.isolated_vertices = static_cast<std::size_t>(isolated);
+  const std::vector<bool> used = used_vertices(triangles_, soup_.positions.size());
+  for (Index v = 0; v < used.size(); ++v) {
+    summary.isolated_vertices += used[v] || soup_.is_joined(v) ? 0U : 1U;
+  }
   summary.left_out_faces = soup_.triangles.size() - triangles_.size();
   summary.components = first_faces(soup_.triangles, usable_, soup_.positions.size()).size();
   summary.boundary_loops = count_boundary_loops();

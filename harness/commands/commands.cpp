@@ -127,7 +127,9 @@ void occupy_closed_streams() {
 int run(CLI::App& app, int argc, char** argv) {
   try {
     add_commands(app, as_shell_line({argv, argv + argc}));
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_weld_distance({argv + 1, argv + argc});
+    std::ranges::reverse(words);  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::RuntimeError& finished) {  // its message has been printed
     return finished.get_exit_code();
   } catch (const CLI::Success& help) {

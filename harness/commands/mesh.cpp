@@ -11,6 +11,7 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/json.h"
+#include "harness/commands/values.h"
 #include "meshes/load.h"
 #include "meshes/mesh_file.h"
 #include "meshes/summary.h"
@@ -23,13 +24,15 @@ struct Flags {
   std::string output;
   bool json = false;
   bool repair = false;
+  std::optional<double> weld;
 };
 
 // Results of the inspection, after the repair if there is one.
 struct Findings {
   std::string format;
   MeshSummary summary;
-  DefectReport defects;  // of the file, before the repair
+  std::vector<RepairAction> welds;
+  DefectReport defects;  // of the file, after the weld and before the repair
   std::vector<RepairAction> repairs;
   std::vector<std::string> warnings;  // from reading the file
 };
@@ -80,6 +83,8 @@ void print_json(const Flags& flags, const Findings& findings) {
                {"isolated_vertices", s.isolated_vertices},
                {"left_out_faces", s.left_out_faces},
                {"defects", defects_json(findings.defects)},
+               {"weld_distance", flags.weld ? Json(*flags.weld) : Json(nullptr)},
+               {"welds", repairs_json(findings.welds)},
                {"repaired", flags.repair},
                {"repairs", repairs_json(findings.repairs)},
                {"warnings", findings.warnings}};
@@ -126,9 +131,12 @@ void print_text(const Flags& flags, const Findings& findings) {
   std::cout << harmless(flags.file) << ": " << findings.format << '\n';
   print_summary(findings.summary);
   for (const std::string& warning : findings.warnings) print_words("warning", warning);
+  for (const RepairAction& action : findings.welds) print_words("welded", action.summary());
+  if (flags.weld && findings.welds.empty()) print_row("welded", "no vertices needed it");
   for (const Defect& defect : findings.defects.defects) {
     const bool is_error = type_of(defect.kind).severity == Severity::error;
-    print_words(is_error ? "defect, error" : "defect, warning", defect.text());
+    print_words(is_error ? "defect, error" : "defect, warning",
+                defect.text() + remedy_of(defect, LoadOptions{}.weld_option));
     for (const RepairAction& action : findings.repairs) {
       if (action.remedied == defect.kind) {
         print_words(action.changed ? "  repaired" : "  settled", action.summary());
@@ -145,6 +153,8 @@ void inspect(const Flags& flags) {
   Findings findings;
   findings.format = std::move(file.format);
   findings.warnings = std::move(file.warnings);
+  const LoadOptions options = {.repair = flags.repair, .weld = flags.weld};
+  findings.welds = weld_if_asked(file, options);
   findings.defects = find_defects(file.soup, file.lines);
   if (flags.repair) findings.repairs = repair(file.soup);
   findings.summary = summarize(file.soup);
@@ -153,7 +163,7 @@ void inspect(const Flags& flags) {
   } else {
     print_text(flags, findings);
   }
-  require_measurable(file.soup, findings.defects, flags.file, {.repair = flags.repair});
+  require_measurable(file.soup, findings.defects, flags.file, options);
   if (!flags.output.empty()) write_bytes(flags.output, mesh_bytes(file.soup, flags.output));
 }
 
@@ -167,15 +177,18 @@ void add_mesh_command(CLI::App& app) {
       "mesh has defects that make distances meaningless");
   command->footer(
       "\nExamples:\n  geodesic-bench mesh bunny.ply\n"
-      "  geodesic-bench mesh scan.stl --repair -o scan.ply");
+      "  geodesic-bench mesh scan.stl --repair -o scan.ply\n"
+      "  geodesic-bench mesh model.obj --weld");
   command->add_option("FILE", flags->file, "mesh file: OBJ, OFF, PLY or STL")
       ->required()
       ->type_name("");
   command->add_flag("--json", flags->json, "print a JSON object");
-  command->add_flag("--repair", flags->repair, "repair the mesh first and say what was done");
+  add_weld_option(*command, flags->weld);
+  command->add_flag("--repair", flags->repair,
+                    "repair the mesh first and say what was done; joins no vertices");
   command
       ->add_option("-o,--output", flags->output,
-                   "write the mesh (after the repair, if any) as .obj, .off or .ply")
+                   "write the mesh (after the weld and the repair, if any) as .obj, .off or .ply")
       ->type_name("FILE");
   command->callback([flags] { inspect(*flags); });
 }

@@ -51,8 +51,9 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   open_lines(outputs.isolines, "--isolines", flags.isolines);
   const NonManifoldEdges non_manifold_edges =
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
-  const BuiltMesh built =
-      build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
+  const BuiltMesh built = build_mesh(
+      entry.file,
+      {.repair = flags.repair, .weld = flags.weld, .non_manifold_edges = non_manifold_edges});
   Problem problem = read_problem(flags, solver, entry, built, values);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
@@ -61,7 +62,7 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   Json json{{"solver", problem.solver.name},
             {"mesh", entry.name},
             {"vertices", problem.mesh.vertex_count()},
-            {"faces", problem.mesh.given_face_count()},
+            {"faces", problem.mesh.external_face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
   if (!problem.places.empty()) json["places"] = problem.places;
   const auto answer = problem.grouped ? solve_pairs : flags.each ? solve_separately : solve_jointly;
@@ -223,7 +224,9 @@ void add_solve_command(CLI::App& app) {
       "compare with brute force on up to 400 faces, otherwise with another exact solver");
   command->add_flag("--counters", flags->counters,
                     "solve again for counters, phases and the peak of memory");
-  command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
+  add_weld_option(*command, flags->weld);
+  command->add_flag("--repair", flags->repair,
+                    "repair defects of the mesh, and say which; joins no vertices");
   command->add_flag(
       "--cross-non-manifold", flags->cross_non_manifold,
       "paths go from a face into each of the others at an edge of more than two faces, "
@@ -257,7 +260,7 @@ void add_solve_command(CLI::App& app) {
        {"--output", "--out", "--nearest-source", "--paths", "--isolines", "--levels"}},
       {"How it is solved",
        {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
-      {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},
+      {"The mesh", {"--weld", "--repair", "--cross-non-manifold", "--manifest"}},
       {"What is checked and counted", {"--check", "--counters"}}};
   for (const auto& [group, options] : groups) {
     for (const char* option : options) command->get_option(option)->group(group);

@@ -74,6 +74,23 @@ CLI::Validator above_zero() {
   return number_that([](double x) { return x > 0; }, "greater than 0");
 }
 
+void add_weld_option(CLI::App& command, std::optional<double>& distance) {
+  command
+      .add_option("--weld", distance,
+                  "join the vertices at the same place, or within DISTANCE of each other, so that "
+                  "paths cross seams; all numbers stay those of the file")
+      ->check(number_that([](double x) { return x >= 0 && std::isfinite(x); }, "0 or greater"))
+      ->type_name("[DISTANCE]");
+}
+
+std::vector<std::string> with_weld_distance(std::vector<std::string> words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != "--weld") continue;
+    if (i + 1 == words.size() || !number_in<double>(words[i + 1])) words[i] += "=0";
+  }
+  return words;
+}
+
 CLI::Validator zero_or_above() {
   return number_that([](double x) { return x >= 0; }, "0 or greater");
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace geodesic::harness {
 
@@ -13,6 +16,14 @@ void check_values(CLI::App& command);
 /// Checks a command line for result files, which keep it, and names from it, as JSON.
 /// @throws HarnessError when it has a control character, or bytes that are not UTF-8
 void require_text(const std::string& command_line);
+
+/// Adds --weld [DISTANCE], for the weld of LoadOptions. Before the command line is parsed,
+/// `with_weld_distance` adds the distance that is left out.
+void add_weld_option(CLI::App& command, std::optional<double>& distance);
+
+/// Returns the words with --weld=0 for each --weld that no number follows: the next word is then a
+/// file, or another option.
+std::vector<std::string> with_weld_distance(std::vector<std::string> words);
 
 /// Validators for CLI::Option::check of an option that takes a number.
 CLI::Validator above_zero();

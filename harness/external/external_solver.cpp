@@ -55,7 +55,7 @@ ExternalSolver::ExternalSolver(const Mesh& mesh, const Description& description,
     : Solver(mesh, description), program_(program) {
   for (const auto& [word, file] : kMeshes) {
     if (program.command.find(word) == std::string::npos || fs::exists(folder_ / file)) continue;
-    write_bytes(folder_ / file, bytes_of(soup_of(mesh), file));
+    write_bytes(folder_ / file, bytes_of(without_left_out(soup_of(mesh)), file));
   }
 }
 

@@ -291,7 +291,7 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
     }
     if (i + 1 == stops.size()) break;
     const Index face = stops[i].face;
-    if (face >= mesh.given_face_count()) return wrong("leaves the surface", i);
+    if (face >= mesh.external_face_count()) return wrong("leaves the surface", i);
     const auto from = weights_on(mesh, face, stops[i].at);
     const auto to = weights_on(mesh, face, stops[i + 1].at);
     if (!from || !to) return wrong("leaves its face", i);

@@ -126,6 +126,8 @@ std::shared_ptr<const BruteForce> brute_force_on(const Mesh& mesh) {
   const auto same = std::ranges::find_if(last, [&](const Known& known) {
     return known.soup.positions == asked.soup.positions &&
            known.soup.triangles == asked.soup.triangles &&
+           known.soup.joined_to == asked.soup.joined_to &&
+           known.soup.left_out == asked.soup.left_out &&
            known.crosses_non_manifold_edges == asked.crosses_non_manifold_edges;
   });
   if (same != last.end()) return same->segments;

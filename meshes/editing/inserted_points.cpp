@@ -63,7 +63,12 @@ std::vector<SheetSide> sides_of_edge(const Mesh& mesh, Index h) {
 // on these edges have one number.
 class Inserter {
  public:
-  explicit Inserter(const Mesh& mesh) : mesh_(mesh), soup_(soup_of(mesh)) {
+  explicit Inserter(const Mesh& mesh) : mesh_(mesh), soup_(without_left_out(soup_of(mesh))) {
+    places_.resize(soup_.triangles.size());
+    for (Index face = 0, place = 0; face < mesh.external_face_count(); ++face) {
+      const Index own = mesh.numbers().internal_face(face);
+      if (own != kNone) places_[own] = place++;
+    }
     move_to_origin(soup_.positions);
     for (const Vec3& p : soup_.positions) {
       for (const double c : p) place_ = std::max(place_, 0x1p-49 * std::abs(c));
@@ -76,7 +81,7 @@ class Inserter {
     edited_ = edited(sheets);
     edited_.add_property(face_of_);
     for (Index face = 0; face < soup_.triangles.size(); ++face) {
-      edited_.property(face_of_, edited_.face_handle(external_face(face))) = face;
+      edited_.property(face_of_, edited_.face_handle(places_[face])) = face;
     }
     corners_ = std::move(sheets.triangles);
   }
@@ -126,12 +131,9 @@ class Inserter {
   };
 
   Index external_vertex(Index own) const { return mesh_.numbers().external_vertex(own); }
-  Index external_face(Index own) const { return mesh_.numbers().external_face(own); }
 
   // The origin of half-edge h in the edited mesh.
-  Vertex origin(Index h) const {
-    return edited_.vertex_handle(corners_[external_face(h / 3)][h % 3]);
-  }
+  Vertex origin(Index h) const { return edited_.vertex_handle(corners_[places_[h / 3]][h % 3]); }
 
   Vec3 position_in(const InternalPoint& own) const {
     Vec3 at{};
@@ -149,7 +151,7 @@ class Inserter {
     for (Index h = first; h < first + 3; ++h) {
       plane.longest = std::max(plane.longest, mesh_.half_edge(h).length);
     }
-    plane.parts = {edited_.face_handle(external_face(face))};
+    plane.parts = {edited_.face_handle(places_[face])};
     const HalfEdge& base = mesh_.half_edge(first);
     const double unit = 1 / plane.longest;
     plane.at = {{origin(first), {0, 0}},
@@ -190,8 +192,10 @@ class Inserter {
   }
 
   Index add_number(const Vec3& at) {
+    const auto number = static_cast<Index>(soup_.positions.size());
     soup_.positions.push_back(at);
-    return static_cast<Index>(soup_.positions.size() - 1);
+    if (!soup_.joined_to.empty()) soup_.joined_to.push_back(number);
+    return number;
   }
 
   Vertex add_vertex(Index number) {
@@ -291,7 +295,8 @@ class Inserter {
   double place_ = 0;
   EditedMesh edited_;
   std::vector<Index> numbers_;     // external numbers, by vertex of the edited mesh
-  std::vector<Triangle> corners_;  // in the edited mesh, by external face
+  std::vector<Index> places_;      // of faces among those that are not left out, in external order
+  std::vector<Triangle> corners_;  // in the edited mesh, by place
   OpenMesh::FPropHandleT<Index> face_of_;
   std::vector<Index> vertices_;                    // by point
   std::map<Index, Plane> planes_;                  // by face

@@ -38,6 +38,12 @@ Graph edge_graph(const Mesh& mesh) {
     graph[a].push_back({b, length});
     graph[b].push_back({a, length});
   }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {  // names of one vertex
+    const Index name = mesh.numbers().external_vertex(mesh.numbers().internal_vertex(v));
+    if (name == v) continue;
+    graph[v].push_back({name, 0});
+    graph[name].push_back({v, 0});
+  }
   return graph;
 }
 

@@ -18,6 +18,12 @@ class SharedMesh:
     @property
     def faces(self) -> _Indices: ...
     @property
+    def joined_to(self) -> _Indices:
+        """By vertex, the one that stands for it; empty when no vertices were joined."""
+    @property
+    def left_out(self) -> list[bool]:
+        """By face, whether it collapsed; empty when none did."""
+    @property
     def crosses_non_manifold(self) -> bool: ...
 
 class SolverPool:
@@ -78,10 +84,15 @@ class Solver:
         """Names of the solver's parameters, which are keyword arguments of a query."""
 
 def mesh(
-    vertices: NDArray[np.float64], faces: _Indices, cross_non_manifold: bool
+    vertices: NDArray[np.float64],
+    faces: _Indices,
+    cross_non_manifold: bool,
+    weld: float | None,
+    joined_to: _Indices,
+    left_out: list[bool],
 ) -> tuple[SharedMesh, str]: ...
 def read(
-    file: str, repair: bool, cross_non_manifold: bool
+    file: str, repair: bool, cross_non_manifold: bool, weld: float | None
 ) -> tuple[SharedMesh, list[str]]: ...
 def defects(mesh: SharedMesh) -> list[Defect]: ...
 def unknown_name(kind: str, name: str, known: list[str]) -> str: ...

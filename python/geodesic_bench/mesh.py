@@ -50,6 +50,8 @@ ROWS_AT_ONCE = 64
 MOST_THREADS = 1024
 MOST_THREADS_THAT_PREPARE = 256
 
+_NONE_JOINED = np.zeros(0, np.uint32)
+
 _log = logging.getLogger("geodesic_bench")
 
 OF_OTHER_PACKAGES = {
@@ -119,14 +121,19 @@ class Mesh:
         Paths cross edges of more than two faces, from a face into each of the others, and edges between
         faces of inconsistent orientation. Otherwise such edges are boundaries. Only these solvers support
         it: edge-based, mmp, fwp-mmp.
+    weld : bool or number
+        Join the vertices at the same place, or within this distance of each other, so that paths cross
+        seams. All keep their numbers, and each has the distance of the one of least number that it is
+        joined to, which `faces` names then. A face that collapses stays in `faces`; it contains no points.
 
     Raises
     ------
     ValueError
-        For arrays of another shape, a face with a repeated or missing vertex, and a coordinate that is
-        not finite.
+        For arrays of another shape, a face with a repeated or missing vertex, a coordinate that is
+        not finite, and a distance that is negative or not finite.
 
-    Other defects that make distances meaningless, which `read_mesh` refuses, give one UserWarning.
+    Other defects that make distances meaningless, which `read_mesh` refuses, give one UserWarning; so do
+    vertices of different faces at the same place that are not joined.
 
     The mesh keeps the solver of the last query and its memory.
 
@@ -140,15 +147,29 @@ class Mesh:
     _shared: _native.SharedMesh
 
     def __init__(
-        self, vertices: Any, faces: ArrayLike | None = None, *, cross_non_manifold: bool = False
+        self,
+        vertices: Any,
+        faces: ArrayLike | None = None,
+        *,
+        cross_non_manifold: bool = False,
+        weld: bool | float = False,
     ) -> None:
-        if faces is None:
-            vertices, faces = arrays_of(vertices)
-        points = vertex_array(vertices)
-        corners = face_array(faces, len(points))
-        self._shared, errors = _native.mesh(points, corners, bool(cross_non_manifold))
+        joined_to, left_out = _NONE_JOINED, list[bool]()
+        if isinstance(vertices, Mesh) and faces is None:
+            points, corners = vertices.vertices, vertices.faces
+            joined_to, left_out = vertices._shared.joined_to, vertices._shared.left_out
+        else:
+            if faces is None:
+                vertices, faces = arrays_of(vertices)
+            points = vertex_array(vertices)
+            corners = face_array(faces, len(points))
+        self._shared, errors, seams = _native.mesh(
+            points, corners, bool(cross_non_manifold), _weld_distance(weld), joined_to, left_out
+        )
         if errors:
             _warn(f"distances may be meaningless: {errors}")
+        if seams:
+            _warn(seams)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -565,7 +586,7 @@ class Mesh:
         shape = len(given.begins) - 1, len(self.vertices) if ends is None else len(ends.vertices)
         # The threads that prepare do not change the numbers.
         solver = re.sub(r"threads=\d+", "", pool.solver.name)
-        arrays = [self.vertices, self.faces, *given.all, given.begins, *(ends or ())]
+        arrays = [self.vertices, self.faces, self._shared.joined_to, *given.all, given.begins, *(ends or ())]
         crosses = self._shared.crosses_non_manifold
         told = [_native.__version__, solver, name, crosses, [array.shape for array in arrays]]
         problem = sha256(repr(told).encode() + b"".join(array.tobytes() for array in arrays)).hexdigest()
@@ -668,12 +689,16 @@ class Mesh:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        crosses = self._shared.crosses_non_manifold
-        return partial(Mesh, cross_non_manifold=crosses), (self.vertices, self.faces)
+        shared = self._shared
+        return _restored, (self.vertices, self.faces, shared.crosses_non_manifold, shared.joined_to, shared.left_out)
 
 
 def read_mesh(
-    file: str | os.PathLike[str], *, repair: bool = False, cross_non_manifold: bool = False
+    file: str | os.PathLike[str],
+    *,
+    repair: bool = False,
+    cross_non_manifold: bool = False,
+    weld: bool | float = False,
 ) -> Mesh:
     """Reads an OBJ, OFF, PLY or STL file. The mesh has the vertex numbers of the file.
 
@@ -681,9 +706,12 @@ def read_mesh(
     ----------
     file : path
     repair : bool
-        Repair defects that would be refused (docs/adding-a-mesh.md). Vertices keep their numbers.
+        Repair defects that would be refused (docs/adding-a-mesh.md). Vertices keep their numbers, and none
+        are joined.
     cross_non_manifold : bool
         As in Mesh; such edges are then not refused, and a repair does not cut them.
+    weld : bool or number
+        As in Mesh, before the repair.
 
     Raises
     ------
@@ -693,10 +721,31 @@ def read_mesh(
     Warnings about the mesh and its repairs are given as one UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
-    mesh._shared, remarks = _native.read(os.fspath(file), bool(repair), bool(cross_non_manifold))
+    mesh._shared, remarks = _native.read(
+        os.fspath(file), bool(repair), bool(cross_non_manifold), _weld_distance(weld)
+    )
     if remarks:
         _warn(f"{os.fspath(file)}: {'; '.join(remarks)}")
     return mesh
+
+
+def _restored(
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.uint32],
+    crosses: bool,
+    joined_to: NDArray[np.uint32],
+    left_out: list[bool],
+) -> Mesh:
+    """A mesh from its pickle. Its warnings were given before."""
+    mesh = Mesh.__new__(Mesh)
+    mesh._shared, _, _ = _native.mesh(vertices, faces, crosses, None, joined_to, left_out)
+    return mesh
+
+
+def _weld_distance(weld: bool | float) -> float | None:
+    if isinstance(weld, bool | np.bool_):
+        return 0.0 if weld else None
+    return number(weld, "weld")
 
 
 def defects(mesh: Mesh) -> list[_native.Defect]:

@@ -34,6 +34,7 @@
 #include "meshes/pair_distances.h"
 #include "meshes/row_solver.h"
 #include "meshes/threads.h"
+#include "meshes/weld.h"
 #include "python/native/background.h"
 #include "python/native/shared_mesh.h"
 #include "python/native/solver_pool.h"
@@ -122,28 +123,41 @@ NonManifoldEdges crossed_if(bool cross_non_manifold) {
   return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
 }
 
+constexpr const char* kWeldOption = "weld=True";
+
 /// Builds a mesh and searches for its defects at the same time.
-/// @return the mesh, and its errors in the format of list_errors
-std::pair<SharedMeshPointer, std::string> mesh(const Array<double>& vertices,
-                                               const Array<Index>& faces, bool cross_non_manifold) {
-  const auto soup = std::make_shared<TriangleSoup>(TriangleSoup{rows_of(vertices), rows_of(faces)});
+/// @param joined_to, left_out as in TriangleSoup
+/// @param weld_distance joins vertices; none joins none
+/// @return the mesh, its errors in the format of list_errors, and the other text of list_seams
+std::tuple<SharedMeshPointer, std::string, std::string> mesh(const Array<double>& vertices,
+                                                             const Array<Index>& faces,
+                                                             bool cross_non_manifold,
+                                                             std::optional<double> weld_distance,
+                                                             const Array<Index>& joined_to,
+                                                             std::vector<bool> left_out) {
+  const auto soup = std::make_shared<TriangleSoup>(
+      TriangleSoup{rows_of(vertices), rows_of(faces), values_of(joined_to), std::move(left_out)});
   return in_background([=](Task&) {
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
-    std::future<std::string> errors =
-        std::async([&] { return list_errors(find_defects(*soup), edges); });
+    if (weld_distance) weld(*soup, *weld_distance);
+    std::future<DefectReport> defects = std::async([&] { return find_defects(*soup); });
     auto built = std::make_shared<const Mesh>(*soup, Numbering::along_surface, edges);
-    std::string found = errors.get();
-    return std::pair(std::make_shared<SharedMesh>(std::move(*soup), std::move(built), edges),
-                     std::move(found));
+    const DefectReport found = defects.get();
+    return std::tuple(std::make_shared<SharedMesh>(std::move(*soup), std::move(built), edges),
+                      list_errors(found, edges), list_seams(found, kWeldOption));
   });
 }
 
 std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesystem::path& file,
-                                                            bool repair, bool cross_non_manifold) {
+                                                            bool repair, bool cross_non_manifold,
+                                                            std::optional<double> weld_distance) {
   return in_background([=](Task&) {
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
-    BuiltMesh built = build_mesh(
-        file, {.repair = repair, .non_manifold_edges = edges, .repair_option = "repair=True"});
+    BuiltMesh built = build_mesh(file, {.repair = repair,
+                                        .weld = weld_distance,
+                                        .non_manifold_edges = edges,
+                                        .repair_option = "repair=True",
+                                        .weld_option = kWeldOption});
     return std::pair(
         std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh), edges),
         std::move(built.loaded.warnings));
@@ -521,6 +535,10 @@ PYBIND11_MODULE(_native, module) {
                              [](const py::object& self) {
                                return view_of(self.cast<SharedMesh&>().soup().triangles, self);
                              })
+      .def_property_readonly("joined_to",
+                             [](const SharedMesh& mesh) { return array_of(mesh.soup().joined_to); })
+      .def_property_readonly("left_out",
+                             [](const SharedMesh& mesh) { return mesh.soup().left_out; })
       .def_property_readonly("crosses_non_manifold", [](const SharedMesh& mesh) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });

@@ -16,7 +16,7 @@ namespace geodesic::python {
 /// Immutable for its users. Any number of threads may use it.
 class SharedMesh {
  public:
-  /// @param mesh built from the soup; the soup is kept as it was given
+  /// @param mesh built from the soup, which is kept: of a welded mesh, the welded one
   SharedMesh(TriangleSoup soup, std::shared_ptr<const Mesh> mesh,
              NonManifoldEdges non_manifold_edges)
       : soup_(std::move(soup)), mesh_(std::move(mesh)), non_manifold_edges_(non_manifold_edges) {}

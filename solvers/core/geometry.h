@@ -55,6 +55,14 @@ using Triangle = std::array<Index, 3>;
 struct TriangleSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
+  /// By vertex: the one that stands for it in the triangles, itself if it was not joined to another
+  /// one. Both names mean the same point, with one distance. Empty when no vertices were joined.
+  std::vector<Index> joined_to = {};
+  /// By triangle: whether it only has a number, and is no face. Empty when all triangles are faces.
+  std::vector<bool> left_out = {};
+
+  bool is_face(Index f) const { return left_out.empty() || !left_out[f]; }
+  bool is_joined(Index v) const { return !joined_to.empty() && joined_to[v] != v; }
 };
 
 /// The smallest axis-parallel box around some points; without points, low is above high.

@@ -16,6 +16,17 @@
 
 namespace geodesic {
 
+namespace {
+
+std::vector<Triangle> chosen(std::span<const Triangle> triangles, std::span<const Index> faces) {
+  std::vector<Triangle> list;
+  list.reserve(faces.size());
+  for (const Index f : faces) list.push_back(triangles[f]);
+  return list;
+}
+
+}  // namespace
+
 void check_extent(std::span<const Vec3> positions) {
   const double half = box_around(positions).half_extent();
   if (half == 0 || (half >= kLeastExtent / 2 && half <= kGreatestExtent / 2)) return;
@@ -24,7 +35,8 @@ void check_extent(std::span<const Vec3> positions) {
                               significant(kGreatestExtent, 3) + "; scale it");
 }
 
-void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                      const std::vector<bool>& left_out) {
   if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
     throw std::invalid_argument("mesh too large: indices have 32 bits");
   }
@@ -34,6 +46,7 @@ void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle>
     }
   }
   for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (!left_out.empty() && left_out[f]) continue;
     const auto& [a, b, c] = triangles[f];
     if (std::max({a, b, c}) >= positions.size()) {
       throw std::invalid_argument("face " + std::to_string(f) +
@@ -47,14 +60,27 @@ void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle>
 }
 
 Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-           Numbering numbering, NonManifoldEdges non_manifold_edges) {
-  check_mesh_input(positions, triangles);
+           std::span<const Index> joined_to, const std::vector<bool>& left_out, Numbering numbering,
+           NonManifoldEdges non_manifold_edges) {
+  check_mesh_input(positions, triangles, left_out);
+  external_faces_ = static_cast<Index>(triangles.size());
+  std::vector<Index> faces;
+  faces.reserve(triangles.size());
+  for (Index f = 0; f < triangles.size(); ++f) {
+    if (left_out.empty() || !left_out[f]) faces.push_back(f);
+  }
   if (numbering == Numbering::along_surface) {
-    number_along_surface(positions, triangles);
+    number_along_surface(positions, triangles, faces);
   } else {
     positions_.assign(positions.begin(), positions.end());
-    set_faces(triangles);
+    set_faces(chosen(triangles, faces));
+    if (!joined_to.empty() || faces.size() < triangles.size()) {
+      std::vector<Index> vertices(positions.size());
+      std::iota(vertices.begin(), vertices.end(), Index{0});
+      numbers_ = MeshNumbers(std::move(vertices), std::move(faces), triangles.size());
+    }
   }
+  if (!joined_to.empty()) numbers_.join(joined_to);
   index_outgoing(half_edge_count());
   const bool is_cut = link_twins();
   if (is_cut && non_manifold_edges == NonManifoldEdges::crossed) {
@@ -75,9 +101,10 @@ Mesh::Mesh(Part part)
 }
 
 void Mesh::number_along_surface(std::span<const Vec3> positions,
-                                std::span<const Triangle> triangles) {
+                                std::span<const Triangle> triangles, std::span<const Index> faces) {
+  std::vector<Triangle> renamed = chosen(triangles, faces);
   std::vector<std::uint8_t> is_corner(positions.size(), 0);
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : renamed) {
     for (const Index v : t) is_corner[v] = 1;
   }
   std::vector<Index> vertices(positions.size()), own(positions.size());
@@ -92,16 +119,13 @@ void Mesh::number_along_surface(std::span<const Vec3> positions,
     own[vertices[v]] = v;
     positions_[v] = positions[vertices[v]];
   }
-  std::vector<Triangle> renamed(triangles.begin(), triangles.end());
   for (Triangle& t : renamed) {
     for (Index& corner : t) corner = own[corner];
   }
-  std::vector<Index> faces = order_by_least_vertex(renamed, vertex_count());
-  std::vector<Triangle> sorted;
-  sorted.reserve(renamed.size());
-  for (const Index f : faces) sorted.push_back(renamed[f]);
-  set_faces(sorted);
-  numbers_ = MeshNumbers(std::move(vertices), std::move(faces));
+  std::vector<Index> order = order_by_least_vertex(renamed, vertex_count());
+  set_faces(chosen(renamed, order));
+  for (Index& f : order) f = faces[f];
+  numbers_ = MeshNumbers(std::move(vertices), std::move(order), triangles.size());
 }
 
 void Mesh::set_faces(std::span<const Triangle> triangles) {

@@ -54,10 +54,14 @@ class Mesh {
   ///        an Index numbers
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
        Numbering numbering = Numbering::as_given,
-       NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
+       NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
+      : Mesh(positions, triangles, {}, {}, numbering, non_manifold_edges) {}
+  /// @param soup joined vertices, which no face may name, share the distance of the one that stands
+  ///        for them; triangles that are left out keep their numbers
   explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given,
                 NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
-      : Mesh(soup.positions, soup.triangles, numbering, non_manifold_edges) {}
+      : Mesh(soup.positions, soup.triangles, soup.joined_to, soup.left_out, numbering,
+             non_manifold_edges) {}
 
   /// A part of a mesh, with the frames and pseudo-sources of the whole mesh.
   struct Part {
@@ -77,9 +81,13 @@ class Mesh {
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
   Index face_count() const { return half_edge_count() / 3; }
-  /// Number of faces without mirror images.
+  /// Number of faces without mirror images and without those that are left out.
   Index given_face_count() const {
     return crosses_non_manifold_edges() ? face_count() / 2 : face_count();
+  }
+  /// Number of external face numbers, those of faces that are left out among them.
+  Index external_face_count() const {
+    return external_faces_ == kNone ? given_face_count() : external_faces_;
   }
   Index edge_count() const { return edge_count_; }
 
@@ -184,7 +192,13 @@ class Mesh {
   static constexpr std::array<Index, 3> kToNext = {1, 1, Index{0} - 2};  // modulo 2^32
   static constexpr std::array<Index, 3> kToPrevious = {2, Index{0} - 1, Index{0} - 1};
 
-  void number_along_surface(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+       std::span<const Index> joined_to, const std::vector<bool>& left_out, Numbering numbering,
+       NonManifoldEdges non_manifold_edges);
+
+  /// @param faces numbers of the triangles that are faces
+  void number_along_surface(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                            std::span<const Index> faces);
   void set_faces(std::span<const Triangle> triangles);
   bool link_twins();
   void add_mirror_images();
@@ -213,6 +227,7 @@ class Mesh {
   bool has_non_manifold_vertices_ = false;
   bool has_degenerate_faces_ = false;
   Index edge_count_ = 0;
+  Index external_faces_ = kNone;  // kNone in a part: all of its faces
   double mean_edge_length_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "solvers/core/geometry.h"
 
@@ -16,7 +17,9 @@ inline constexpr double kLeastExtent = 1e-20, kGreatestExtent = 1e20;
 /// @throws std::invalid_argument for an extent outside these bounds
 void check_extent(std::span<const Vec3> positions);
 
+/// @param left_out as in TriangleSoup: such a triangle is not checked
 /// @throws std::invalid_argument for the reasons of Mesh's constructor
-void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                      const std::vector<bool>& left_out = {});
 
 }  // namespace geodesic

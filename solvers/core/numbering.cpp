@@ -56,19 +56,25 @@ void refine(std::span<OnCurve> cells, std::span<const Vec3> positions) {
   }
 }
 
-std::vector<Index> inverse(const std::vector<Index>& order) {
-  std::vector<Index> places(order.size());
+std::vector<Index> inverse(const std::vector<Index>& order, std::size_t numbers) {
+  std::vector<Index> places(numbers, kNone);
   for (Index i = 0; i < order.size(); ++i) places[order[i]] = i;
   return places;
 }
 
 }  // namespace
 
-MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces)
+MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces,
+                         std::size_t external_faces)
     : given_(std::move(given_vertices)),
       given_faces_(std::move(given_faces)),
-      own_(inverse(given_)),
-      own_faces_(inverse(given_faces_)) {}
+      own_(inverse(given_, given_.size())),
+      own_faces_(inverse(given_faces_, external_faces)) {}
+
+void MeshNumbers::join(std::span<const Index> joined_to) {
+  const std::vector<Index> own = own_;
+  for (std::size_t v = 0; v < own.size(); ++v) own_[v] = own[joined_to[v]];
+}
 
 std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions,
                                        std::span<const Index> vertices) {

@@ -22,17 +22,30 @@ enum class Numbers {
 };
 
 /// Converts between the two numberings of a mesh. The corners of a face keep their order.
+///
+/// Several external vertices may be names of one internal vertex (`join`). Answers by external
+/// vertex are therefore gathered through `internal_vertex`, and never scattered through
+/// `external_vertex`.
 class MeshNumbers {
  public:
   /// Both numberings are the same.
   MeshNumbers() = default;
   /// @param given_vertices, given_faces external numbers, by internal number
-  MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces);
+  /// @param external_faces number of external faces; those that are not among the given ones have
+  ///        no internal number
+  MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces,
+              std::size_t external_faces);
+
+  /// Makes each external vertex a name of the internal vertex of another one. Its own internal
+  /// vertex, which must be isolated, stays in memory, so that both numberings have as many.
+  /// @param joined_to by external vertex, as in TriangleSoup
+  void join(std::span<const Index> joined_to);
 
   bool is_identity() const { return given_.empty(); }
   Index external_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
   Index external_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
   Index internal_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
+  /// kNone for a face that is left out.
   Index internal_face(Index given) const { return own_faces_.empty() ? given : own_faces_[given]; }
 
  private:

@@ -110,7 +110,7 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   in_mesh_order_.resize(distances.size());
   run_to_end(start, in_mesh_order_, recording);
   for (Index v = 0; v < distances.size(); ++v) {
-    distances[mesh_.numbers().external_vertex(v)] = in_mesh_order_[v];
+    distances[v] = in_mesh_order_[mesh_.numbers().internal_vertex(v)];
   }
 }
 

@@ -20,7 +20,9 @@ std::string not_in_mesh(const char* kind, Index number, Index count, const char*
 SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights) {
   SurfacePoint point;
   point.face = face;
-  if (face >= mesh.given_face_count()) throw std::invalid_argument(defect_of(mesh, point));
+  if (face >= mesh.external_face_count() || mesh.numbers().internal_face(face) == kNone) {
+    throw std::invalid_argument(defect_of(mesh, point));
+  }
   const double largest = std::ranges::max(weights);
   const bool sound = std::ranges::all_of(weights, [](double w) { return w >= 0 && w < kInfinity; });
   if (!sound || !(largest > 0)) {
@@ -79,8 +81,12 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
     return not_in_mesh("vertex", point.vertex, mesh.vertex_count(), "vertices");
   }
   if (point.face == kNone) return "a surface point is neither a vertex nor in a face";
-  if (point.face >= mesh.given_face_count()) {
-    return not_in_mesh("face", point.face, mesh.given_face_count(), "faces");
+  if (point.face >= mesh.external_face_count()) {
+    return not_in_mesh("face", point.face, mesh.external_face_count(), "faces");
+  }
+  if (mesh.numbers().internal_face(point.face) == kNone) {
+    return "face " + std::to_string(point.face) +
+           " collapsed when vertices were joined; name a vertex of it, or a point in another face";
   }
   const auto& w = point.weights;
   const bool in_range = std::ranges::all_of(w, [](double x) { return x >= 0 && x < 1; });

@@ -99,8 +99,9 @@ std::vector<Index> Paths::nearest_sources() const {
   std::vector<std::optional<Index>> nearest(vertices);
   std::vector<Index> given(vertices, kNone), chain;
   for (Index v = 0; v < vertices; ++v) {
-    if (field_[v] == kInfinity) continue;
-    Index at = v;
+    if (distances()[v] == kInfinity) continue;
+    const Index own = field_.mesh().numbers().internal_vertex(v);
+    Index at = own;
     while (!nearest[at] && !(nearest[at] = source_here(at))) {
       if (chain.size() > vertices) throw std::runtime_error(kRoundabout);
       chain.push_back(at);
@@ -108,7 +109,7 @@ std::vector<Index> Paths::nearest_sources() const {
     }
     for (const Index each : chain) nearest[each] = nearest[at];
     chain.clear();
-    given[field_.mesh().numbers().external_vertex(v)] = *nearest[v];
+    given[v] = *nearest[own];
   }
   return given;
 }

@@ -71,6 +71,38 @@ TEST(Defects, OfEveryKindAreCountedAndTheFirstIsNamed) {
               "2 components that no path connects (first: the second holds face 2 (line 10))");
 }
 
+// The second triangle shares the edge from (1, 0, 0) to (1, 1, 0) in space, not its vertices.
+std::string seam(const std::string& x, const std::string& rest = "") {
+  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv " + x + " -0 0\nv " + x + " 1 0\nv 2 0 0\n" + rest +
+         "f 1 2 3\nf 5 4 6\n";
+}
+
+TEST(Defects, VerticesAtThePlaceOfAnEarlierOneAreCountedIfFacesUseThem) {
+  const std::string components =
+      "\n2 components that no path connects (first: the second holds face 1 (line 9))";
+  expect_only(seam("1"), DefectKind::coincident_vertex,
+              "2 vertices where an earlier one lies (first: vertex 3 (line 4) at the place of "
+              "vertex 1 (line 2))" +
+                  components);
+  expect_only(seam("1.000001"), DefectKind::nearly_coincident_vertex,
+              "2 vertices within 1e-6 mean edge lengths of an earlier one (first: vertex 3 "
+              "(line 4) near vertex 1 (line 2))" +
+                  components);
+  EXPECT_EQ(defects_of(seam("1.0000014")).defects.size(), 1u);
+  const DefectReport isolated = defects_of(seam("1.1", "v 1 0 0\n"));
+  EXPECT_EQ(isolated.count(DefectKind::isolated_vertex), 1u);
+  EXPECT_EQ(isolated.count(DefectKind::coincident_vertex), 0u);
+  // Each of three joins at one place counts once, and no pair is nearly coincident as well.
+  const DefectReport twice = defects_of(seam("1", "v 1 0 0\nv 3 0 0\nv 3 0 1\nf 7 8 9\n"));
+  EXPECT_EQ(twice.count(DefectKind::coincident_vertex), 3u);
+  EXPECT_EQ(twice.count(DefectKind::nearly_coincident_vertex), 0u);
+}
+
+TEST(Defects, VerticesThatAVeryShortEdgeConnectAreNoSeam) {
+  const std::string obj = "v 0 0 0\nv 1e-9 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\nf 2 3 4\n";
+  EXPECT_EQ(text_of(defects_of(obj)), "");
+}
+
 TEST(Defects, SmallnessIsNoDefect) {
   for (const double scale : {1e-150, 1e-30, 1e100, 9e149}) {
     TriangleSoup soup = tetrahedron();

@@ -63,6 +63,42 @@ TEST_F(Load, WarnsOfTheRestAndKeepsVertexIds) {
   EXPECT_EQ(mesh.soup.positions[0], (Vec3{7, 7, 7}));
 }
 
+const std::string kSeam =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nf 1 2 3\nf 5 4 6\n";
+
+TEST_F(Load, WarnsOfSeamsAndSaysHowToJoinThem) {
+  const LoadedMesh mesh = load_mesh(write("a.obj", kSeam));
+  ASSERT_EQ(mesh.warnings.size(), 2u);
+  EXPECT_EQ(mesh.warnings[0],
+            "2 vertices where an earlier one lies (first: vertex 3 (line 4) at the place of "
+            "vertex 1 (line 2)): paths do not cross there; --weld joins them");
+}
+
+TEST_F(Load, WeldsWhenAskedBeforeDefectsAreSearchedFor) {
+  const auto path = write("a.obj", kSeam);
+  for (const bool repair : {false, true}) {
+    const BuiltMesh built = build_mesh(path, {.repair = repair, .weld = 0});
+    EXPECT_EQ(built.loaded.warnings,
+              (std::vector<std::string>{"weld: vertices joined to an earlier one: 2"}));
+    EXPECT_TRUE(built.loaded.defects.defects.empty());
+    EXPECT_EQ(built.mesh->edge_count(), 5u);
+  }
+  EXPECT_TRUE(load_mesh(path, {.repair = true}).repairs.empty()) << "a repair joined vertices";
+}
+
+TEST_F(Load, RefusesAWeldThatLeavesNoFaceAndADistanceThatIsNone) {
+  const auto path = write("a.obj", kSeam);
+  const auto message = [&](double distance) {
+    return message_of<MeshError>([&] { build_mesh(path, {.weld = distance}); });
+  };
+  EXPECT_EQ(message(1), path.string() +
+                            ": every face collapses when vertices are joined; join "
+                            "them within a smaller distance");
+  EXPECT_EQ(message(-2),
+            "the distance within which vertices are joined must be finite and 0 or "
+            "more, not -2");
+}
+
 TEST_F(Load, RefusesAMeshOfWhichARepairLeavesNothing) {
   const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
   EXPECT_THROW(load_mesh(path, {.repair = true}), MeshError);
@@ -79,6 +115,14 @@ TEST(Write, BringsBackTheSameDoublesAndFacesInEveryFormat) {
     EXPECT_EQ(file.soup.triangles, soup.triangles) << name;
     EXPECT_TRUE(file.warnings.empty()) << name << ": " << file.warnings[0];
   }
+}
+
+TEST(Write, LeavesOutFacesThatCollapsedAndKeepsTheNumbersOfVertices) {
+  TriangleSoup soup = parse_mesh(kSeam + "f 2 4 6\n", "a.obj").soup;
+  weld(soup);
+  const TriangleSoup written = parse_mesh(mesh_bytes(soup, "b.ply"), "b.ply").soup;
+  EXPECT_EQ(written.positions, soup.positions);
+  EXPECT_EQ(written.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 5}}));
 }
 
 TEST(Write, RefusesOtherFormatsAndIndicesOutOfRange) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/base/json.h"
+#include "harness/commands/values.h"
 #include "tests/harness/temporary_folder.h"
 #include "tests/meshes/mesh_samples.h"
 
@@ -78,6 +79,32 @@ TEST_F(MeshCommand, AMeshWithoutUsableFacesStillGivesJson) {
   const Outcome outcome = run({bad, "--json", "--repair"});
   EXPECT_TRUE(contains(outcome.error, "no usable face is left")) << outcome.error;
   EXPECT_TRUE(Json::parse(outcome.output)["edge_length"].is_null());
+}
+
+TEST_F(MeshCommand, WeldsAndReportsIt) {
+  const auto file =
+      write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nf 1 2 3\nf 5 4 6\n");
+  const std::string seam =
+      "2 vertices where an earlier one lies (first: vertex 3 (line 4) at the "
+      "place of vertex 1 (line 2)): paths do not cross there; --weld joins";
+  EXPECT_TRUE(contains(run({file}).output, seam)) << run({file}).output;
+  const std::string welded = run(with_weld_distance({file, "--weld"})).output;
+  EXPECT_TRUE(contains(welded, "welded              vertices joined to an earlier one: 2\n"));
+  EXPECT_TRUE(contains(welded, "components          1\n")) << welded;
+  EXPECT_TRUE(contains(welded, "defects             none")) << welded;
+  const Json json = Json::parse(run({file, "--weld", "1e-3", "--json"}).output);
+  EXPECT_EQ(json["weld_distance"], 1e-3);
+  EXPECT_EQ(json["welds"][0]["count"], 2);
+  EXPECT_EQ(json["isolated_vertices"], 0);
+  EXPECT_TRUE(contains(run({file, "--weld=-1"}).error, "'-1' is not 0 or greater"));
+}
+
+TEST(WeldOption, takes_the_next_word_only_if_it_is_a_number) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(with_weld_distance({"mesh", "--weld", "a.obj"}), (Words{"mesh", "--weld=0", "a.obj"}));
+  EXPECT_EQ(with_weld_distance({"a", "--weld", "0.5", "b"}), (Words{"a", "--weld", "0.5", "b"}));
+  EXPECT_EQ(with_weld_distance({"a", "--weld"}), (Words{"a", "--weld=0"}));
+  EXPECT_EQ(with_weld_distance({"--weld", "--json"}), (Words{"--weld=0", "--json"}));
 }
 
 }  // namespace

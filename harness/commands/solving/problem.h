@@ -24,6 +24,7 @@ struct SolveFlags {
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false;
+  std::optional<double> weld;
   unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
