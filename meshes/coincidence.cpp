@@ -69,11 +69,11 @@ class PlaceTable {
 
 Vec3 rounded_down(const Vec3& p) { return {std::floor(p[0]), std::floor(p[1]), std::floor(p[2])}; }
 
-// Returns those vertices that share a cell of 16 times the distance with another one, or lie so
+// Returns those vertices that share a cell of 256 times the distance with another one, or lie so
 // near its sides that one in the cell beyond may be near: few, if the distance is small.
 std::vector<Index> crowded(std::span<const Vec3> positions, std::span<const Index> vertices,
                            double distance) {
-  constexpr double kSide = 16, kNear = 1.01 / kSide;
+  constexpr double kSide = 256, kNear = 1.01 / kSide;
   const double scaling = 1 / (kSide * distance);
   const auto scaled = [&](Index v) { return scale(scaling, positions[v]); };
   PlaceTable cells(vertices.size());

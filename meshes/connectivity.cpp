@@ -1,7 +1,6 @@
 #include "meshes/connectivity.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace geodesic {
 namespace {
@@ -166,9 +165,9 @@ TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
 }
 
 std::vector<bool> faces_of(const TriangleSoup& soup) {
-  std::vector<bool> faces(soup.triangles.size(), true);
-  if (!soup.left_out.empty())
-    std::ranges::transform(soup.left_out, faces.begin(), std::logical_not<>());
+  if (soup.left_out.empty()) return std::vector<bool>(soup.triangles.size(), true);
+  std::vector<bool> faces = soup.left_out;
+  faces.flip();
   return faces;
 }
 

@@ -79,7 +79,7 @@ std::string seam(const std::string& x, const std::string& rest = "") {
 
 TEST(Defects, VerticesAtThePlaceOfAnEarlierOneAreCountedIfFacesUseThem) {
   const std::string components =
-      "\n2 components that no path connects (first: the second holds face 1 (line 9))";
+      "\n2 components that no path connects (first: the second holds face 1 (line 8))";
   expect_only(seam("1"), DefectKind::coincident_vertex,
               "2 vertices where an earlier one lies (first: vertex 3 (line 4) at the place of "
               "vertex 1 (line 2))" +
