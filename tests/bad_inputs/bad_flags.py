@@ -47,6 +47,10 @@ CASES = [
     of("solve", "hill.obj --limit 0,5", "--limit: '0,5' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit nan", "--limit: 'nan' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit=-1", "--limit: '-1' is not 0 or greater"),
+    of("solve", "hill.obj --weld=-1", "--weld: '-1' is not 0 or greater"),
+    of("mesh", "hill.obj --weld inf", "--weld: 'inf' is not 0 or greater"),
+    of("mesh", "hill.obj --weld=near", "--weld: 'near' is not a number, such as 0.5"),
+    flag("geodesic-bench mesh --weld 9 hill.obj", "every face collapses when vertices are joined"),
     *(of("solve", f"hill.obj --pairs p {other}", "--pairs", "excludes", other.split()[0])
       for other in ("--source 0", "--sources-file s", "--target 1", "--targets-file t", "--stop-at-targets", "--limit 1",
                     "--nearest-source", "--paths p.obj", "--each", "--check", "--counters")),
