@@ -1,6 +1,7 @@
 #include "geodesic/geodesic.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 namespace geodesic {
@@ -24,42 +25,60 @@ std::span<const double> Field::distances() const& {
   return paths_ ? paths_->distances() : *distances_;
 }
 
-double Field::at(const SurfacePoint& point) const {
-  if (paths_) return paths_->distance_at(point);
-  const std::string defect = defect_of(*mesh_, point);
-  if (!defect.empty()) throw std::invalid_argument(defect);
-  if (point.is_vertex()) return (*distances_)[point.vertex];
+std::vector<double> Field::at(std::span<const SurfacePoint> points,
+                              const std::function<void()>& before_each) const {
+  std::vector<double> found;
+  if (paths_) {
+    for (const SurfacePoint& point : points) {
+      if (before_each) before_each();
+      found.push_back(paths_->distance_at(point));
+    }
+    return found;
+  }
+  for (const SurfacePoint& point : points) {
+    const std::string defect = defect_of(*mesh_, point);
+    if (!defect.empty()) throw std::invalid_argument(defect);
+    found.push_back(point.is_vertex() ? (*distances_)[point.vertex] : kInfinity);
+  }
+  if (std::ranges::all_of(points, &SurfacePoint::is_vertex)) return found;
+  if (before_each) before_each();
   Query query = query_;
-  query.targets = {point};
-  std::vector<double> all(distances_->size());
-  double distance = kInfinity;
-  solve_points(solver_, *mesh_, query, all, {&distance, 1});
-  return distance;
+  query.targets.assign(points.begin(), points.end());
+  std::vector<double> all(distances_->size()), at_targets(points.size());
+  solve_points(solver_, *mesh_, query, all, at_targets);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].is_vertex()) found[i] = at_targets[i];
+  }
+  return found;
 }
 
 Path Field::path_to(const SurfacePoint& point) const { return paths().to_point(point); }
 
+std::optional<Path> Field::find_path_to(const SurfacePoint& point) const {
+  return paths().find_to_point(point);
+}
+
 Index Field::nearest_source(Index vertex) const { return paths().nearest_source(vertex); }
+
+std::vector<Index> Field::nearest_sources() const { return paths().nearest_sources(); }
 
 const Paths& Field::paths() const {
   if (!paths_) throw std::invalid_argument(solver_ + " does not remember paths");
   return *paths_;
 }
 
-DistanceSolver::DistanceSolver(const Mesh& mesh, std::string_view solver)
-    : mesh_(mesh), description_(solver_named(solver)), solver_(solver, mesh) {}
-
-Field DistanceSolver::solve(Query query) {
-  Field field(description_.name, mesh_);
-  if (description_.abilities.paths) {
-    field.paths_ = std::make_shared<const Paths>(solve_paths(solver_.solver(), mesh_, query));
+Field solve_field(PointSolver& solver, const Mesh& mesh, Query query) {
+  const Description& description = solver.solver().description();
+  Field field(description.name, mesh);
+  if (description.abilities.paths) {
+    field.paths_ = std::make_shared<const Paths>(solve_paths(solver.solver(), mesh, query));
     return field;
   }
-  std::vector<double> distances(mesh_.vertex_count());
+  std::vector<double> distances(mesh.vertex_count());
   if (std::ranges::all_of(query.sources, [](const Source& s) { return s.at.is_vertex(); })) {
-    solver_.solve(query, distances, {});
+    solver.solve(query, distances, {});
   } else {
-    solve_points(description_.name, mesh_, query, distances, {});
+    solve_points(description.name, mesh, query, distances, {});
   }
   field.query_ = std::move(query);
   field.distances_ = std::make_shared<const std::vector<double>>(std::move(distances));

@@ -11,8 +11,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <ranges>
 #include <span>
 #include <string>
@@ -88,16 +90,24 @@ class Field {
   /// Distance of any point, as exact as the solver. For a vertex it is looked up. For other points
   /// the data of the solve are searched; a solver that does not remember paths solves again.
   /// @throws std::invalid_argument when the point is not of this mesh
-  double at(const SurfacePoint& point) const;
+  double at(const SurfacePoint& point) const { return at(std::span(&point, 1)).front(); }
+  /// Distances of several points, as above; a solver that does not remember paths solves once.
+  /// @param before_each called before each search; may throw to end the call
+  std::vector<double> at(std::span<const SurfacePoint> points,
+                         const std::function<void()>& before_each = {}) const;
 
   /// A shortest path from the nearest source to a vertex or a point, without another solve.
   /// @throws std::invalid_argument when the point is not of this mesh, no path leads there within
   ///         the limit, or the solver does not remember paths
   Path path_to(const SurfacePoint& point) const;
+  /// As path_to; nullopt where no path leads.
+  std::optional<Path> find_path_to(const SurfacePoint& point) const;
 
   /// The source of the path to a vertex, as an index into the sources; kNone where no path leads.
   /// @throws std::invalid_argument for the other reasons of `path_to`
   Index nearest_source(Index vertex) const;
+  /// Those of all vertices, in linear time.
+  std::vector<Index> nearest_sources() const;
 
   /// The lines of equal distance, interpolated linearly along the edges: meshes/isolines.h. Ten
   /// levels: `field.isolines(field.levels(10))`.
@@ -109,7 +119,7 @@ class Field {
   std::vector<double> levels(Index count) const { return equal_levels(distances(), count); }
 
  private:
-  friend class DistanceSolver;
+  friend Field solve_field(PointSolver& solver, const Mesh& mesh, Query query);
   Field(std::string solver, const Mesh& mesh) : solver_(std::move(solver)), mesh_(&mesh) {}
   /// @throws std::invalid_argument when the solver does not remember paths
   const Paths& paths() const;
@@ -122,6 +132,12 @@ class Field {
   std::shared_ptr<const std::vector<double>> distances_;
 };
 
+/// Solves a query without targets with a solver that the caller keeps, as DistanceSolver does.
+/// @param solver a solver on this mesh, without inserted points
+/// @param mesh must outlive the field
+/// @throws std::invalid_argument for the reasons of DistanceSolver::from
+Field solve_field(PointSolver& solver, const Mesh& mesh, Query query);
+
 /// Computes distances on one mesh. It keeps its memory from one call to the next and must be used
 /// by one thread at a time. Any number of solvers may share a mesh.
 class DistanceSolver {
@@ -130,7 +146,8 @@ class DistanceSolver {
   /// @param solver a name with parameters, as in make_solver
   /// @throws std::invalid_argument for an unknown name (the message lists the known ones), and when
   ///         the mesh needs an ability that the solver lacks
-  explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based");
+  explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based")
+      : mesh_(mesh), solver_(solver, mesh) {}
   explicit DistanceSolver(const Mesh&& mesh, std::string_view solver = "edge-based") = delete;
 
   /// Distances from vertices and points, at least one. The same solve records the data for paths.
@@ -146,16 +163,14 @@ class DistanceSolver {
   Field from(Sources&& sources, const FieldOptions& options = {}) {
     Query query{.sources = {}, .limit = options.limit};
     for (const auto& source : sources) query.sources.push_back(source_at(source));
-    return solve(std::move(query));
+    return solve_field(solver_, mesh_, std::move(query));
   }
 
  private:
   static Source source_at(const SurfacePoint& point) { return {.at = point}; }
   static Source source_at(const Source& source) { return source; }
-  Field solve(Query query);
 
   const Mesh& mesh_;
-  const Description& description_;
   PointSolver solver_;
 };
 

@@ -106,13 +106,16 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
 }
 
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  MeshFile file = read_mesh_file(path);
+  return build_mesh(read_mesh_file(path), path.string(), options);
+}
+
+BuiltMesh build_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
   BuiltMesh built;
   const auto build = [&](const TriangleSoup& soup) {
     built.mesh = std::make_unique<Mesh>(soup, Numbering::along_surface, options.non_manifold_edges);
   };
   if (options.repair) {
-    built.loaded = load_mesh(std::move(file), path.string(), options);
+    built.loaded = load_mesh(std::move(file), name, options);
     build(built.loaded.soup);
     return built;
   }
@@ -125,8 +128,7 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
   } catch (const std::invalid_argument&) {  // the defects give a better message
     unfit = std::current_exception();
   }
-  built.loaded =
-      load_mesh(std::move(file), std::move(welds), defects.get(), path.string(), options);
+  built.loaded = load_mesh(std::move(file), std::move(welds), defects.get(), name, options);
   if (unfit) std::rethrow_exception(unfit);
   return built;
 }

@@ -54,6 +54,10 @@ struct BuiltMesh {
 /// As `load_mesh`, and builds the mesh while another thread searches for defects.
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
+/// As above, for a file that was already read.
+/// @param name the file's name, for messages
+BuiltMesh build_mesh(MeshFile file, const std::string& name, const LoadOptions& options);
+
 /// Lists the defects that are errors, in one line; empty without errors.
 /// @param non_manifold_edges as in LoadOptions
 std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges);

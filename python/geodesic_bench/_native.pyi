@@ -1,4 +1,5 @@
-"""The compiled part (python/native/module.cpp). arrays.py checks its arguments."""
+"""The compiled part (python/native/module.cpp). arrays.py checks its arguments. Public classes have their
+documentation there."""
 
 from collections.abc import Callable
 from typing import Any
@@ -8,6 +9,8 @@ from numpy.typing import NDArray
 
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
+_Path = tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64], int]
+"""The fields of lines.Path."""
 _Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
 __version__: str
@@ -35,6 +38,17 @@ class SolverPool:
     def certificate(self) -> tuple[int, float, float] | None:
         """The fields of prepared.Certificate."""
 
+class Field:
+    """The data of a solve. It keeps the mesh, and no solver."""
+
+    @property
+    def distances(self) -> NDArray[np.float64]: ...
+    @property
+    def nearest(self) -> NDArray[np.int64]: ...
+    def at(self, points: SurfacePoints) -> NDArray[np.float64]: ...
+    def paths_to(self, points: SurfacePoints, required: bool) -> list[_Path | None]:
+        """As `paths`."""
+
 class SurfacePoints:
     """Points of a mesh's surface."""
 
@@ -47,24 +61,16 @@ class PointSets:
     def __len__(self) -> int: ...
 
 class Defect:
-    """A kind of defect of a mesh."""
-
     @property
-    def kind(self) -> str:
-        """The kind as in docs/adding-a-mesh.md, such as "non_manifold_edge"."""
+    def kind(self) -> str: ...
     @property
-    def severity(self) -> str:
-        """The severity: "error" or "warning"."""
+    def severity(self) -> str: ...
     @property
-    def count(self) -> int:
-        """Number of faces, edges, vertices or components with this defect."""
+    def count(self) -> int: ...
     @property
-    def first(self) -> str:
-        """The first of these elements."""
+    def first(self) -> str: ...
 
 class Solver:
-    """A solver and its origin."""
-
     @property
     def name(self) -> str: ...
     @property
@@ -72,16 +78,13 @@ class Solver:
     @property
     def paper(self) -> str: ...
     @property
-    def exact(self) -> bool:
-        """Whether distances are exact. If not, they are upper bounds."""
+    def exact(self) -> bool: ...
     @property
     def remarks(self) -> str: ...
     @property
-    def prepares(self) -> bool:
-        """Whether `Mesh.prepare` accepts it."""
+    def prepares(self) -> bool: ...
     @property
-    def parameters(self) -> list[str]:
-        """Names of the solver's parameters, which are keyword arguments of a query."""
+    def parameters(self) -> list[str]: ...
 
 def mesh(
     vertices: NDArray[np.float64],
@@ -92,8 +95,10 @@ def mesh(
     left_out: list[bool],
 ) -> tuple[SharedMesh, str, str]: ...
 def read(
-    file: str, repair: bool, cross_non_manifold: bool, weld: float | None
-) -> tuple[SharedMesh, list[str]]: ...
+    file: str, repair: bool, cross_non_manifold: bool, weld: float | None,
+    read_before: tuple[NDArray[np.float64], _Indices] | None,
+) -> tuple[SharedMesh, list[str]]:  # fmt: skip
+    """Reads the file, unless its vertices and faces were read before."""
 def defects(mesh: SharedMesh) -> list[Defect]: ...
 def unknown_name(kind: str, name: str, known: list[str]) -> str: ...
 def solvers() -> list[Solver]: ...
@@ -111,20 +116,25 @@ def distances(
     pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
     targets: SurfacePoints | None, limit: float,
 ) -> NDArray[np.float64]: ...  # fmt: skip
-def distances_and_nearest(
+def targets_and_nearest(
     pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
-    targets: SurfacePoints | None, limit: float,
+    targets: SurfacePoints, limit: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...  # fmt: skip
 def paths(
-    pool: SolverPool, source: SurfacePoints, targets: SurfacePoints
-) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
+    pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
+    targets: SurfacePoints, required: bool,
+) -> list[_Path | None]:
+    """Returns None for a target to which no path leads; if paths are required, raises a ValueError."""
+def solve(
+    pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64], limit: float
+) -> Field: ...
 MOST_LEVELS: int
 
 def equal_levels(distances: NDArray[np.float64], count: int) -> NDArray[np.float64]: ...
 def isolines(
     mesh: SharedMesh, distances: NDArray[np.float64], levels: NDArray[np.float64]
-) -> list[tuple[float, bool, NDArray[np.float64], _Indices, NDArray[np.float64]]]:
-    """Returns the fields of mesh.Isoline."""
+) -> list[tuple[float, bool, NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]]:
+    """Returns the fields of lines.Isoline."""
 def pair_distances(
     pool: SolverPool, a: SurfacePoints, b: SurfacePoints, threads: int
 ) -> NDArray[np.float64]: ...

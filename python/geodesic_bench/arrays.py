@@ -3,23 +3,32 @@ a message of one sentence for invalid arrays."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from geodesic_bench.errors import NotInMesh
 
 NONE = np.uint32(2**32 - 1)
 """Stands for no vertex or no face."""
 
 
 def vertex_array(vertices: ArrayLike) -> NDArray[np.float64]:
-    """Converts vertices to an array of shape (n, 3)."""
-    return _rows_of_three(numbers(vertices, "vertices"), "vertices")
+    """Converts vertices to an array of shape (n, 3). Those of a plane, of shape (n, 2), get z = 0."""
+    array = numbers(vertices, "vertices")
+    if array.ndim == 2 and array.shape[1] == 2:
+        array = np.column_stack([array, np.zeros(len(array))])
+    return _rows_of_three(array, "vertices")
 
 
 def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
-    """Converts faces to an array of shape (m, 3), m > 0."""
-    array = _rows_of_three(_integers(faces, "faces"), "faces")
+    """Converts faces to an array of shape (m, 3), m > 0. They may be flat as in VTK: [3, a, b, c, 3, ...]."""
+    array = _integers(faces, "faces")
+    if array.ndim == 1 and array.size and array.size % 4 == 0 and (array[::4] == 3).all():
+        array = array.reshape(-1, 4)[:, 1:]
+    array = _rows_of_three(array, "faces")
     if not array.size or not vertices:
         raise ValueError("a mesh needs at least one vertex and one face")
     outside = (array < 0) | (array >= vertices)
@@ -27,24 +36,6 @@ def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
         face, corner = np.argwhere(outside)[0]
         raise _not_in_mesh(f"face {face}: vertex", array[face, corner], vertices, "vertices")
     return array.astype(np.uint32, order="C")
-
-
-def arrays_of(mesh: Any) -> tuple[Any, Any]:
-    """Returns the vertices and faces of an object of another package."""
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return mesh.vertices, mesh.faces
-    if not (hasattr(mesh, "points") and hasattr(mesh, "cells")):
-        raise ValueError(
-            "a mesh is vertices and faces, or an object that has them, or points and cells;"
-            " read_mesh reads files"
-        )
-    if not all(hasattr(block, "type") for block in mesh.cells):
-        return mesh.points, mesh.cells
-    blocks = [block for block in mesh.cells if block.type not in ("vertex", "line")]
-    for block in blocks:
-        if block.type != "triangle":
-            raise ValueError(f"cells must be triangles, not {block.type}")
-    return mesh.points, np.concatenate([np.zeros((0, 3), np.int64)] + [b.data for b in blocks])
 
 
 class Place(NamedTuple):
@@ -200,8 +191,8 @@ def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.u
     return array.astype(np.uint32)
 
 
-def _not_in_mesh(name: str, index: Any, count: int, kind: str) -> ValueError:
-    return ValueError(
+def _not_in_mesh(name: str, index: Any, count: int, kind: str) -> NotInMesh:
+    return NotInMesh(
         f"{name} {index} is not in the mesh of {count} {kind}, numbered from 0 to {count - 1}"
     )
 
@@ -239,14 +230,47 @@ def _integers(values: ArrayLike, what: str, instead: str = "") -> NDArray[Any]:
     return array
 
 
-def _array(values: ArrayLike, what: str, kind: str) -> NDArray[Any]:
+def _array(values: Any, what: str, kind: str) -> NDArray[Any]:
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):  # asarray would drop the mask
+        raise ValueError(f"{what} must not have masked entries: leave them out, or call .filled(value)")
     try:
-        return np.asarray(values)
-    except (ValueError, TypeError):  # rows of different lengths
-        raise ValueError(f"{what} must be an array of {kind}") from None
+        array = np.asarray(values)
+    except (ValueError, TypeError, RuntimeError):  # rows of different lengths, or memory of another device
+        raise ValueError(f"{what} must be an array of {kind}{_remedy(values)}") from None
+    if array.ndim == 0 and array.dtype == object and (remedy := _remedy(values)):
+        raise ValueError(f"{what} must be an array of {kind}{remedy}")
+    return array
+
+
+def _remedy(values: Any) -> str:
+    """Returns what to do with an object that NumPy cannot convert, for the end of a message; empty if unknown."""
+    kind = type(values).__name__
+    if hasattr(values, "detach"):
+        return f", not a {kind} on a device or with a gradient: call .detach().cpu().numpy()"
+    if hasattr(values, "__cuda_array_interface__"):
+        call = ".copy_to_host()" if hasattr(values, "copy_to_host") else ".get()"
+        return f", not a {kind} on a GPU: call {call}"
+    if hasattr(values, "points"):
+        return f", not a {kind}: pass its .points"
+    if isinstance(values, Iterable) and not isinstance(values, str | bytes | list | tuple | np.ndarray):
+        return f", not a {kind}: call list() first"
+    return ""
 
 
 def _rows_of_three(array: NDArray[Any], what: str) -> NDArray[Any]:
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{what} must have the shape (n, 3), not {array.shape}")
+        raise ValueError(f"{what} must have the shape (n, 3), not {array.shape}{_shape_remedy(array, what)}")
     return array
+
+
+def _shape_remedy(array: NDArray[Any], what: str) -> str:
+    """Returns what to do with rows of another shape, for the end of a message; empty if unknown."""
+    if array.ndim == 2 and array.shape[0] == 3:
+        return ": transpose them with .T"
+    if what != "faces":
+        return ""
+    if array.ndim == 1 and array.size:
+        return "; a flat array is [3, a, b, c, 3, ...], of triangles only"
+    if array.ndim == 2 and array.shape[1] == 4:
+        return ": leave out the first column" if (array[:, 0] == 3).all() else ": divide the quadrangles into triangles"
+    return ""

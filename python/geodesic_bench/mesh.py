@@ -11,7 +11,6 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import partial
 from hashlib import sha256
 from pathlib import Path as FilePath
@@ -26,7 +25,6 @@ from geodesic_bench.arrays import (
     Place,
     Points,
     PointSets,
-    arrays_of,
     face_array,
     number,
     numbers,
@@ -35,7 +33,11 @@ from geodesic_bench.arrays import (
     surface_points,
     vertex_array,
 )
+from geodesic_bench.errors import UnknownArgument
+from geodesic_bench.field import Field
+from geodesic_bench.lines import Isoline, Path
 from geodesic_bench.matrix_file import MatrixFile
+from geodesic_bench.other_packages import arrays_of, read_by_other_package
 from geodesic_bench.prepared import Prepared, loaded
 
 if TYPE_CHECKING:
@@ -48,7 +50,7 @@ BREAK_EVEN = 5
 ROWS_AT_ONCE = 64
 """Rows a thread of a matrix file between two records of what is finished."""
 MOST_THREADS = 1024
-MOST_THREADS_THAT_PREPARE = 256
+MOST_THREADS_OF_A_SOLVER = 256
 
 _NONE_JOINED = np.zeros(0, np.uint32)
 
@@ -75,48 +77,18 @@ SurfacePoints = SurfacePoint | Sequence[SurfacePoint]
 any points."""
 
 
-@dataclass(frozen=True, eq=False)
-class Polyline:
-    """A line over the surface that is straight in each face."""
-
-    points: NDArray[np.float64]
-    """(k, 3): its begin, its points on edges and at vertices, and its end."""
-    faces: NDArray[np.uint32]
-    """(k - 1,): the face that it crosses between each point and the next."""
-    travelled: NDArray[np.float64]
-    """(k,): its length up to each point, in the unit of the coordinates."""
-
-    @property
-    def length(self) -> float:
-        return float(self.travelled[-1])
-
-
-class Path(Polyline):
-    """A shortest path, from its source to its target."""
-
-
-@dataclass(frozen=True, eq=False)
-class Isoline(Polyline):
-    """A line on which the distance, interpolated linearly along the edges, is the level."""
-
-    level: float
-    """A distance, in the unit of the coordinates."""
-    closed: bool
-    """Whether the last point is the first one again."""
-
-
 class Mesh:
     """A triangle mesh for queries of distances and paths. It is immutable, and any number of threads may
     use it.
 
     Parameters
     ----------
-    vertices : (n, 3) real numbers, or a mesh of another package
-        Coordinates, of any type and memory order; copied as float64. Without `faces`, an object
-        with `vertices` and `faces`, such as a trimesh.Trimesh, or with `points` and `cells`, such
-        as a meshio.Mesh of triangles.
+    vertices : (n, 3) or (n, 2) real numbers, or a mesh of another package
+        Coordinates, of any type and memory order; copied as float64. Without z it is 0. Without `faces`, a
+        tuple of both, or a mesh of triangles of trimesh, PyVista, Open3D, meshio or nibabel (GIFTI).
     faces : (m, 3) integers, m > 0
-        Indices of vertices from 0, counter-clockwise seen from outside; copied.
+        Indices of vertices from 0, counter-clockwise seen from outside; copied. A flat array is read as those of
+        VTK: [3, a, b, c, 3, ...].
     cross_non_manifold : bool
         Paths cross edges of more than two faces, from a face into each of the others, and edges between
         faces of inconsistent orientation. Otherwise such edges are boundaries. Only these solvers support
@@ -145,6 +117,7 @@ class Mesh:
     """
 
     _shared: _native.SharedMesh
+    _faces: NDArray[np.int64] | None = None
 
     def __init__(
         self,
@@ -156,7 +129,7 @@ class Mesh:
     ) -> None:
         joined_to, left_out = _NONE_JOINED, list[bool]()
         if isinstance(vertices, Mesh) and faces is None:
-            points, corners = vertices.vertices, vertices.faces
+            points, corners = vertices.vertices, vertices._shared.faces
             joined_to, left_out = vertices._shared.joined_to, vertices._shared.left_out
         else:
             if faces is None:
@@ -177,9 +150,19 @@ class Mesh:
         return self._shared.vertices
 
     @property
-    def faces(self) -> NDArray[np.uint32]:
-        """Indices of vertices, of shape (m, 3); read-only."""
-        return self._shared.faces
+    def faces(self) -> NDArray[np.int64]:
+        """Indices of vertices, of shape (m, 3); read-only. Signed, so that differences do not wrap; the mesh keeps
+        them from the first use on, in 24 bytes a face."""
+        if self._faces is None:
+            faces = self._shared.faces.astype(np.int64)
+            faces.flags.writeable = False
+            self._faces = faces
+        return self._faces
+
+    @property
+    def _sizes(self) -> tuple[int, int]:
+        """Numbers of vertices and faces."""
+        return len(self._shared.vertices), len(self._shared.faces)
 
     @overload
     def distances(
@@ -189,6 +172,8 @@ class Mesh:
         *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
+        threads: int = ...,
+        region_size: int = ...,
         solver: str | Prepared = ...,
         return_nearest: Literal[False] = ...,
         **parameters: float | str,
@@ -201,6 +186,8 @@ class Mesh:
         *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
+        threads: int = ...,
+        region_size: int = ...,
         solver: str | Prepared = ...,
         return_nearest: Literal[True],
         **parameters: float | str,
@@ -212,6 +199,8 @@ class Mesh:
         *,
         initial: ArrayLike | None = None,
         limit: float | None = None,
+        threads: int = 1,
+        region_size: int = 0,
         solver: str | Prepared = FASTEST,
         return_nearest: bool = False,
         **parameters: float | str,
@@ -232,6 +221,12 @@ class Mesh:
             Initial distance of each source, in the unit of the coordinates.
         limit : float, optional
             Vertices beyond this distance are not reached; a small limit makes a query fast.
+        threads : int
+            Threads that work on this query, if the solver has this parameter (edge-based); 0 for the number of
+            processors. One thread records the nearest sources. Any number from two on gives the same bits.
+        region_size : int
+            Vertices of a region of the mesh, with several threads (docs/performance.md); 0 for a choice by the
+            size of the mesh.
         solver : str or Prepared
             A name of `solvers()`, or what `prepare` returned. All exact solvers return the same distances up
             to rounding.
@@ -239,7 +234,7 @@ class Mesh:
             Also return the nearest source of every vertex or target, where its path begins. The solver
             must be one that remembers paths.
         parameters
-            Parameters of the solver, if it has any: `Solver.parameters`.
+            Other parameters of the solver, if it has any: `Solver.parameters`.
 
         Returns
         -------
@@ -261,34 +256,65 @@ class Mesh:
         >>> mesh.distances([2, (0, (1, 1, 0))])
         array([1.5, 1.5, 0. ])
         """
-        points = self._points(sources, "source")
-        count = (len(points),)
-        begin = numbers(0 if initial is None else initial, "initial distances")
-        if begin.ndim and begin.shape != count:
-            raise ValueError(
-                f"initial distances must be one a source: {begin.size} for {count[0]} sources"
-            )
-        begin = np.broadcast_to(begin, count)
+        begins = self._sources(sources, initial)
         ends = None if targets is None else self._points(targets, "target")
-        most = math.inf if limit is None else number(limit, "limit")
-        asked = (self._pool(solver, parameters, self.distances), points, begin, ends, most)
-        if return_nearest:
-            return _native.distances_and_nearest(*asked)
-        return _native.distances(*asked)
+        most = _limit(limit)
+        if threads != 1:
+            parameters["threads"] = threads
+        if region_size != 0:
+            parameters["region_size"] = region_size
+        pool = self._pool(solver, parameters, self.distances)
+        if not return_nearest:
+            return _native.distances(pool, *begins, ends, most)
+        if ends is not None:
+            return _native.targets_and_nearest(pool, *begins, ends, most)
+        solved = _native.solve(pool, *begins, most)
+        return solved.distances.copy(), solved.nearest
+
+    def solve(
+        self,
+        sources: SurfacePoints,
+        *,
+        initial: ArrayLike | None = None,
+        limit: float | None = None,
+        solver: str | Prepared = FASTEST,
+        **parameters: float | str,
+    ) -> Field:
+        """Solves once for many questions: distances of vertices and points, nearest sources, paths, isolines.
+
+        Parameters
+        ----------
+        sources : (k,) integers, or k points, or one
+        initial : (k,) numbers or one number, >= 0, optional
+        limit : float, optional
+        solver : str or Prepared
+        parameters
+            As in `distances`. A solver that remembers paths records them, which makes the solve 1.5 to 1.8 times
+            as long, on one thread.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> field = mesh.solve([0, 1])
+        >>> field.distances, field.nearest, field.path_to(2).length
+        (array([0., 0., 4.]), array([0, 1, 0]), 4.0)
+        """
+        begins = self._sources(sources, initial)
+        pool = self._pool(solver, parameters, self.solve)
+        return Field(self, _native.solve(pool, *begins, _limit(limit)))
 
     def path(
         self,
-        source: SurfacePoint,
+        source: SurfacePoints,
         target: SurfacePoint,
         *,
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> Path:
-        """Returns a shortest path over the surface.
+        """Returns a shortest path over the surface, from the nearest source.
 
         Parameters
         ----------
-        source, target : one point
+        source : one point, or (k,) integers, or k points
+        target : one point
             As in `distances`.
         solver : str or Prepared
         parameters
@@ -306,47 +332,52 @@ class Mesh:
                [0.5, 0.5, 0. ],
                [0. , 1. , 0. ]])
         >>> path.faces, round(path.length, 6)
-        (array([0, 1], dtype=uint32), 1.414214)
+        (array([0, 1]), 1.414214)
         >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
+        >>> mesh.path([0, 2], 3).source  # a place in the list of sources
+        0
         """
         end = self._points(target, "target", surface_point)
-        begin = self._points(source, "source", surface_point)
+        begins = self._sources(source)
         pool = self._pool(solver, parameters, self.path)
-        return Path(*_native.paths(pool, begin, end)[0])
+        (path,) = _native.paths(pool, *begins, end, True)
+        assert path is not None
+        return Path(*path)
 
     def paths(
         self,
-        source: SurfacePoint,
+        source: SurfacePoints,
         targets: SurfacePoints,
         *,
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
-    ) -> list[Path]:
-        """Returns a shortest path to each target, with a single solve.
+    ) -> list[Path | None]:
+        """Returns a shortest path to each target from its nearest source, with a single solve, which ends at the
+        farthest target.
 
         Parameters
         ----------
-        source : one point
+        source : one point, or (k,) integers, or k points
         targets : (k,) integers, or k points, or one
             As in `distances`.
         solver : str or Prepared
         parameters
             As in `path`.
 
-        Raises
-        ------
-        ValueError
-            If no path leads to one of the targets.
+        Returns
+        -------
+        list of k paths
+            None for a target to which no path leads.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> [path.length for path in mesh.paths(0, [1, 2])]
         [3.0, 4.0]
         """
         ends = self._points(targets, "target")
-        begin = self._points(source, "source", surface_point)
+        begins = self._sources(source)
         pool = self._pool(solver, parameters, self.paths)
-        return [Path(*path) for path in _native.paths(pool, begin, ends)]
+        return [path and Path(*path) for path in _native.paths(pool, *begins, ends, False)]
 
     def isolines(self, distances: ArrayLike, levels: int | Sequence[float] | NDArray[Any]) -> list[Isoline]:
         """Returns the lines of equal distance, ordered by level, then by their face of least number.
@@ -369,7 +400,7 @@ class Mesh:
         array([[2., 0., 0.],
                [0., 2., 0.]])
         >>> line.level, line.closed, line.faces, round(line.length, 6)
-        (2.0, False, array([0], dtype=uint32), 2.828427)
+        (2.0, False, array([0]), 2.828427)
         >>> [line.level for line in mesh.isolines(mesh.distances(0), 3)]
         [1.0, 2.0, 3.0]
         """
@@ -538,8 +569,8 @@ class Mesh:
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        every = np.arange(len(self.vertices)) if rows is None else rows
-        given = point_sets(every, "row", len(self.vertices), len(self.faces))
+        every = np.arange(self._sizes[0]) if rows is None else rows
+        given = point_sets(every, "row", *self._sizes)
         sources = _native.PointSets(self._placed(given.all, "row"), given.begins)
         targets = None if columns is None else self._points(columns, "column")
         workers = _number_of_threads(threads)
@@ -549,10 +580,10 @@ class Mesh:
                 raise ValueError("approximate=True chooses the solver: leave out solver and its parameters")
             if len(sources) >= BREAK_EVEN and not self._shared.crosses_non_manifold:
                 solver = PREPARED
-                parameters = {"threads": min(workers, MOST_THREADS_THAT_PREPARE)}
+                parameters = {"threads": workers}
             _log.info("distance_matrix of %d rows: solver %s", len(sources), solver)
         pool = self._pool(solver, parameters, self.distance_matrix)
-        shape = len(sources), len(self.vertices) if targets is None else len(targets)
+        shape = len(sources), self._sizes[0] if targets is None else len(targets)
         if limit is None:
             with _bar(shape[0], progress) as show:
                 if isinstance(out, str | os.PathLike):
@@ -581,12 +612,12 @@ class Mesh:
         show: Callable[[int], None] | None,
     ) -> NDArray[Any]:
         """As `distance_matrix`, to a file."""
-        ends = None if columns is None else surface_points(columns, "column", len(self.vertices), len(self.faces))
+        ends = None if columns is None else surface_points(columns, "column", *self._sizes)
         targets = None if ends is None else _native.surface_points(self._shared, *ends)[0]
-        shape = len(given.begins) - 1, len(self.vertices) if ends is None else len(ends.vertices)
+        shape = len(given.begins) - 1, self._sizes[0] if ends is None else len(ends.vertices)
         # The threads that prepare do not change the numbers.
         solver = re.sub(r"threads=\d+", "", pool.solver.name)
-        arrays = [self.vertices, self.faces, self._shared.joined_to, *given.all, given.begins, *(ends or ())]
+        arrays = [self.vertices, self._shared.faces, self._shared.joined_to, *given.all, given.begins, *(ends or ())]
         crosses = self._shared.crosses_non_manifold
         told = [_native.__version__, solver, name, crosses, [array.shape for array in arrays]]
         problem = sha256(repr(told).encode() + b"".join(array.tobytes() for array in arrays)).hexdigest()
@@ -635,8 +666,7 @@ class Mesh:
         if base in known and not known[base].prepares:
             able = ", ".join(name for name, each in known.items() if each.prepares)
             raise ValueError(f"{base} prepares nothing that takes long: ask the mesh itself, or prepare {able}")
-        workers = min(_number_of_threads(threads), MOST_THREADS_THAT_PREPARE)
-        name = _configured(solver, {"threads": workers, **parameters}, self.prepare)
+        name = _configured(solver, {"threads": threads, **parameters}, self.prepare)
         return Prepared(self, _native.prepare(self._shared, name))
 
     def load_prepared(self, file: str | os.PathLike[str]) -> Prepared:
@@ -670,14 +700,27 @@ class Mesh:
         if solver.mesh is not self:
             raise ValueError("solver is prepared for another mesh: prepare one for this mesh")
         if parameters:
-            raise ValueError(f"{solver.solver} is already prepared: leave out {', '.join(parameters)}")
+            raise UnknownArgument(f"{solver.solver} is already prepared: leave out {', '.join(parameters)}")
         return solver._pool
+
+    def _sources(
+        self, values: SurfacePoints, initial: ArrayLike | None = None
+    ) -> tuple[_native.SurfacePoints, NDArray[np.float64]]:
+        """Returns the sources and the initial distance of each."""
+        points = self._points(values, "source")
+        count = (len(points),)
+        begin = numbers(0 if initial is None else initial, "initial distances")
+        if begin.ndim and begin.shape != count:
+            raise ValueError(
+                f"initial distances must be one a source: {begin.size} for {count[0]} sources"
+            )
+        return points, np.broadcast_to(begin, count)
 
     def _points(
         self, values: SurfacePoints, what: str, convert: Callable[..., Points] = surface_points
     ) -> _native.SurfacePoints:
         """Returns the points on the surface, and warns of a place that is far from it."""
-        return self._placed(convert(values, what, len(self.vertices), len(self.faces)), what)
+        return self._placed(convert(values, what, *self._sizes), what)
 
     def _placed(self, given: Points, what: str) -> _native.SurfacePoints:
         points, remark = _native.surface_points(self._shared, *given)
@@ -686,11 +729,13 @@ class Mesh:
         return points
 
     def __repr__(self) -> str:
-        return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
+        vertices, faces = self._sizes
+        return f"Mesh({vertices} vertices, {faces} faces)"
 
     def __reduce__(self) -> tuple[Any, ...]:
         shared = self._shared
-        return _restored, (self.vertices, self.faces, shared.crosses_non_manifold, shared.joined_to, shared.left_out)
+        crosses = shared.crosses_non_manifold
+        return _restored, (self.vertices, shared.faces, crosses, shared.joined_to, shared.left_out)
 
 
 def read_mesh(
@@ -700,11 +745,14 @@ def read_mesh(
     cross_non_manifold: bool = False,
     weld: bool | float = False,
 ) -> Mesh:
-    """Reads an OBJ, OFF, PLY or STL file. The mesh has the vertex numbers of the file.
+    """Reads an OBJ, OFF, PLY or STL file, or by its suffix a file of triangles that another package reads, if that is
+    installed. The mesh has the vertex numbers of the file.
 
     Parameters
     ----------
     file : path
+        By pyvista or meshio: .vtk, .vtu; by pyvista: .vtp; by meshio: .msh, .mesh, .meshb, .med, .xdmf; by trimesh:
+        .glb, .gltf, .3mf; by nibabel: .gii, and .pial, .white, .inflated, .smoothwm, .sphere, .orig of FreeSurfer.
     repair : bool
         Repair defects that would be refused (docs/adding-a-mesh.md). Vertices keep their numbers, and none
         are joined.
@@ -721,8 +769,9 @@ def read_mesh(
     Warnings about the mesh and its repairs are given as one UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
+    read = _read_by_other_package(file)
     mesh._shared, remarks = _native.read(
-        os.fspath(file), bool(repair), bool(cross_non_manifold), _weld_distance(weld)
+        os.fspath(file), bool(repair), bool(cross_non_manifold), _weld_distance(weld), read
     )
     if remarks:
         _warn(f"{os.fspath(file)}: {'; '.join(remarks)}")
@@ -746,6 +795,19 @@ def _weld_distance(weld: bool | float) -> float | None:
     if isinstance(weld, bool | np.bool_):
         return 0.0 if weld else None
     return number(weld, "weld")
+
+
+def _read_by_other_package(
+    file: str | os.PathLike[str],
+) -> tuple[NDArray[np.float64], NDArray[np.uint32]] | None:
+    try:
+        read = read_by_other_package(file)
+        if read is None:
+            return None
+        points = vertex_array(read[0])
+        return points, face_array(read[1], len(points))
+    except ValueError as error:
+        raise ValueError(f"{os.fspath(file)}: {error}") from None
 
 
 def defects(mesh: Mesh) -> list[_native.Defect]:
@@ -775,16 +837,25 @@ def _configured(solver: str, parameters: dict[str, float | str], method: Callabl
         raise ValueError(f"solver must be a name of solvers(), not {solver!r}")
     if parameters and (known := solvers().get(solver.split("?")[0])):
         names = [name for name in inspect.signature(method).parameters if name != "parameters"]
-        names += known.parameters
-        for key in parameters.keys() - set(names):
+        for key in parameters.keys() - set(known.parameters):
+            if key in names:  # of some solvers only
+                raise UnknownArgument(f"{known.name} has no parameter '{key}': leave it out")
+            names += known.parameters
             if (meant := OF_OTHER_PACKAGES.get(key)) in names:
-                raise ValueError(f"no argument named '{key}' (did you mean '{meant}'?)")
-            raise ValueError(_native.unknown_name("argument", key, names))
+                raise UnknownArgument(f"no argument named '{key}' (did you mean '{meant}'?)")
+            raise UnknownArgument(_native.unknown_name("argument", key, list(dict.fromkeys(names))))
+    if "threads" in parameters:
+        threads = min(_number_of_threads(parameters["threads"]), MOST_THREADS_OF_A_SOLVER)
+        parameters = parameters | {"threads": threads}
     values = "&".join(f"{key.replace('_', '-')}={value}" for key, value in parameters.items())
     return f"{solver}{'&' if '?' in solver else '?'}{values}" if values else solver
 
 
-def _number_of_threads(threads: int) -> int:
+def _limit(limit: float | None) -> float:
+    return math.inf if limit is None else number(limit, "limit")
+
+
+def _number_of_threads(threads: object) -> int:
     if not (isinstance(threads, int | np.integer) and 0 <= threads <= MOST_THREADS):
         raise ValueError(
             f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     import numpy as np
     from scipy.sparse import csr_matrix
 
-    from geodesic_bench.mesh import Mesh, Path as PathOnMesh, SurfacePoint, SurfacePoints
+    from geodesic_bench.field import Field
+    from geodesic_bench.lines import Path as PathOnMesh
+    from geodesic_bench.mesh import Mesh, SurfacePoint, SurfacePoints
 
 
 @dataclass(frozen=True)
@@ -99,11 +101,17 @@ class Prepared:
             )
         return self.mesh.distances(sources, targets, initial=initial, limit=limit, solver=self)
 
-    def path(self, source: SurfacePoint, target: SurfacePoint) -> PathOnMesh:
+    def solve(
+        self, sources: SurfacePoints, *, initial: ArrayLike | None = None, limit: float | None = None
+    ) -> Field:
+        """As `Mesh.solve`."""
+        return self.mesh.solve(sources, initial=initial, limit=limit, solver=self)
+
+    def path(self, source: SurfacePoints, target: SurfacePoint) -> PathOnMesh:
         """As `Mesh.path`."""
         return self.mesh.path(source, target, solver=self)
 
-    def paths(self, source: SurfacePoint, targets: SurfacePoints) -> list[PathOnMesh]:
+    def paths(self, source: SurfacePoints, targets: SurfacePoints) -> list[PathOnMesh | None]:
         """As `Mesh.paths`."""
         return self.mesh.paths(source, targets, solver=self)
 

@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "geodesic/geodesic.h"
 #include "meshes/defects.h"
 #include "meshes/isolines.h"
 #include "meshes/load.h"
@@ -102,13 +103,20 @@ std::vector<std::array<T, 3>> rows_of(const Array<T>& array) {
   return rows;
 }
 
-/// A view of shape (n, 3) that keeps its owner alive and cannot be written to.
+/// A view that keeps the owner of its data alive and cannot be written to.
 template <class T>
-py::array view_of(const std::vector<std::array<T, 3>>& rows, const py::object& owner) {
-  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows.size()), 3};
-  py::array_t<T> view(shape, reinterpret_cast<const T*>(rows.data()), owner);
+py::array_t<T> read_only(const T* data, const std::vector<py::ssize_t>& shape,
+                         const py::object& owner) {
+  py::array_t<T> view(shape, data, owner);
   view.attr("flags").attr("writeable") = false;
   return view;
+}
+
+/// A read-only view of shape (n, 3).
+template <class T>
+py::array_t<T> view_of(const std::vector<std::array<T, 3>>& rows, const py::object& owner) {
+  return read_only(reinterpret_cast<const T*>(rows.data()),
+                   {static_cast<py::ssize_t>(rows.size()), 3}, owner);
 }
 
 template <class T>
@@ -148,16 +156,28 @@ std::tuple<SharedMeshPointer, std::string, std::string> mesh(const Array<double>
   });
 }
 
-std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesystem::path& file,
-                                                            bool repair, bool cross_non_manifold,
-                                                            std::optional<double> weld_distance) {
-  return in_background([=](Task&) {
+/// @param read_before the vertices and faces of a file that another package has read
+std::pair<SharedMeshPointer, std::vector<std::string>> read(
+    const std::filesystem::path& file, bool repair, bool cross_non_manifold,
+    std::optional<double> weld_distance,
+    const std::optional<std::pair<Array<double>, Array<Index>>>& read_before) {
+  std::optional<TriangleSoup> soup;
+  if (read_before) soup = TriangleSoup{rows_of(read_before->first), rows_of(read_before->second)};
+  return in_background([=, soup = std::move(soup)](Task&) mutable {
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
-    BuiltMesh built = build_mesh(file, {.repair = repair,
-                                        .weld = weld_distance,
-                                        .non_manifold_edges = edges,
-                                        .repair_option = "repair=True",
-                                        .weld_option = kWeldOption});
+    MeshFile content;
+    if (soup) {
+      content.soup = *std::move(soup);
+    } else {
+      content = read_mesh_file(file);
+    }
+    BuiltMesh built =
+        build_mesh(std::move(content), file.string(),
+                   {.repair = repair,
+                    .weld = weld_distance,
+                    .non_manifold_edges = edges,
+                    .repair_option = "repair=True",
+                    .weld_option = kWeldOption});
     return std::pair(
         std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh), edges),
         std::move(built.loaded.warnings));
@@ -297,38 +317,39 @@ Paths paths_of(const PoolPointer& pool, const Query& query) {
   return solve_paths(BorrowedSolver(pool)->solver(), *pool->mesh(), query);
 }
 
-/// The distances as from `distances`, and for each the index of the source of its path, -1 where no
-/// path leads.
-py::tuple distances_and_nearest(const PoolPointer& pool, const SurfacePoints& sources,
-                                const Array<double>& initial, const OptionalPoints& targets,
-                                double limit) {
+/// Indices of sources as Python has them: -1 for none.
+py::array_t<std::int64_t> signed_indices(const std::vector<Index>& indices) {
+  std::vector<std::int64_t> converted(indices.size(), -1);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] != kNone) converted[i] = indices[i];
+  }
+  return array_of(std::move(converted));
+}
+
+/// The distances of targets, and for each the index of the source of its path, -1 where no path
+/// leads.
+py::tuple targets_and_nearest(const PoolPointer& pool, const SurfacePoints& sources,
+                              const Array<double>& initial, const SurfacePoints& targets,
+                              double limit) {
   auto [reached, nearest] =
       in_background([=, query = query_of(sources, initial, targets, limit)](Task&) {
         const Paths paths = paths_of(pool, query);
         std::vector<double> lengths;
         std::vector<Index> indices;
-        if (targets) {
-          for (std::size_t i = 0; i < query.targets.size(); ++i) {
-            lengths.push_back(paths.distance_to_target(i));
-            indices.push_back(std::isinf(lengths[i]) ? kNone : paths.to_target(i).source);
-          }
-        } else {
-          lengths = paths.distances();
-          indices = paths.nearest_sources();
+        for (std::size_t i = 0; i < query.targets.size(); ++i) {
+          const auto path = paths.find_to_target(i);
+          lengths.push_back(paths.distance_to_target(i));
+          indices.push_back(path ? path->source : kNone);
         }
-        std::vector<std::int64_t> signed_indices(indices.size(), -1);
-        for (std::size_t i = 0; i < indices.size(); ++i) {
-          if (indices[i] != kNone) signed_indices[i] = indices[i];
-        }
-        return std::pair(std::move(lengths), std::move(signed_indices));
+        return std::pair(std::move(lengths), std::move(indices));
       });
-  return py::make_tuple(array_of(std::move(reached)), array_of(std::move(nearest)));
+  return py::make_tuple(array_of(std::move(reached)), signed_indices(nearest));
 }
 
 /// @return positions of shape (k, 3), the k - 1 faces between them, and the length up to each
 py::tuple arrays_of(const std::vector<PathPoint>& points) {
   std::vector<double> positions, travelled;
-  std::vector<Index> faces;
+  std::vector<std::int64_t> faces;
   for (const PathPoint& each : points) {
     positions.insert(positions.end(), each.position.begin(), each.position.end());
     travelled.push_back(each.travelled);
@@ -339,20 +360,72 @@ py::tuple arrays_of(const std::vector<PathPoint>& points) {
                         array_of(std::move(travelled)));
 }
 
-/// @return the path from the only source to each target
-py::list paths(const PoolPointer& pool, const SurfacePoints& source, const SurfacePoints& targets) {
-  const std::vector<Path> found = in_background([=](Task&) {
-    std::vector<Path> to_each;
-    if (targets.points.empty()) return to_each;
-    const Query query{
-        .sources = {{source.points.at(0), 0}}, .targets = targets.points, .stop_at_targets = true};
+using FoundPaths = std::vector<std::optional<Path>>;
+
+/// @return for each path arrays_of its points and the index of its source; None where none leads
+py::list list_of(const FoundPaths& paths) {
+  py::list list;
+  for (const std::optional<Path>& each : paths) {
+    if (each) {
+      list.append(arrays_of(each->points) + py::make_tuple(each->source));
+    } else {
+      list.append(py::none());
+    }
+  }
+  return list;
+}
+
+/// @param required whether a target without a path is refused
+/// @return the path from the nearest source to each target, as list_of
+py::list paths(const PoolPointer& pool, const SurfacePoints& sources, const Array<double>& initial,
+               const SurfacePoints& targets, bool required) {
+  return list_of(in_background([=, query = query_of(sources, initial, targets, kInfinity)](Task&) {
+    FoundPaths found;
+    if (query.targets.empty()) return found;
     const Paths all = paths_of(pool, query);
-    for (std::size_t i = 0; i < query.targets.size(); ++i) to_each.push_back(all.to_target(i));
-    return to_each;
+    for (std::size_t i = 0; i < query.targets.size(); ++i) {
+      found.push_back(required ? all.to_target(i) : all.find_to_target(i));
+    }
+    return found;
+  }));
+}
+
+/// A field with its mesh. It keeps no solver.
+struct SharedField {
+  std::shared_ptr<const Mesh> mesh;
+  Field field;
+};
+using FieldPointer = std::shared_ptr<const SharedField>;
+
+FieldPointer solve(const PoolPointer& pool, const SurfacePoints& sources,
+                   const Array<double>& initial, double limit) {
+  return in_background([=, query = query_of(sources, initial, {}, limit)](Task&) -> FieldPointer {
+    const BorrowedSolver solver(pool);
+    return std::make_shared<SharedField>(
+        SharedField{pool->mesh(), solve_field(*solver, *pool->mesh(), query)});
   });
-  py::list arrays;
-  for (const Path& each : found) arrays.append(arrays_of(each.points));
-  return arrays;
+}
+
+py::array_t<std::int64_t> nearest_sources(const FieldPointer& solved) {
+  return signed_indices(in_background([=](Task&) { return solved->field.nearest_sources(); }));
+}
+
+py::array_t<double> distances_at(const FieldPointer& solved, const SurfacePoints& points) {
+  return array_of(in_background([=](Task& task) {
+    return solved->field.at(points.points, [&] { task.throw_if_abandoned(); });
+  }));
+}
+
+/// As `paths`, from a field, without another solve.
+py::list paths_to(const FieldPointer& solved, const SurfacePoints& points, bool required) {
+  return list_of(in_background([=](Task& task) {
+    FoundPaths found;
+    for (const SurfacePoint& point : points.points) {
+      task.throw_if_abandoned();
+      found.push_back(required ? solved->field.path_to(point) : solved->field.find_path_to(point));
+    }
+    return found;
+  }));
 }
 
 /// @return for each isoline its level, whether it is closed, and arrays_of its points
@@ -547,6 +620,17 @@ PYBIND11_MODULE(_native, module) {
       .def_property_readonly("solver", &SolverPool::solver, py::return_value_policy::reference)
       .def_property_readonly("certificate", &certificate);
 
+  py::class_<SharedField, std::shared_ptr<SharedField>>(module, "Field")
+      .def_property_readonly("distances",
+                             [](const py::object& self) {
+                               const auto distances = self.cast<SharedField&>().field.distances();
+                               return read_only(distances.data(),
+                                                {static_cast<py::ssize_t>(distances.size())}, self);
+                             })
+      .def_property_readonly("nearest", &nearest_sources)
+      .def("at", &distances_at)
+      .def("paths_to", &paths_to);
+
   py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
     return self.points.size();
   });
@@ -557,25 +641,33 @@ PYBIND11_MODULE(_native, module) {
       }))
       .def("__len__", &PointSets::count);
 
-  py::class_<Defect>(module, "Defect", "A kind of fault that a mesh has.")
-      .def_property_readonly("kind", [](const Defect& d) { return type_of(d.kind).key; })
-      .def_property_readonly("severity", &severity_of)
-      .def_readonly("count", &Defect::count)
-      .def_readonly("first", &Defect::example)
+  py::class_<Defect>(module, "Defect", "A kind of defect of a mesh, from `defects`.")
+      .def_property_readonly(
+          "kind", [](const Defect& d) { return type_of(d.kind).key; },
+          "The kind as in docs/adding-a-mesh.md, such as \"non_manifold_edge\".")
+      .def_property_readonly("severity", &severity_of,
+                             "\"error\" if distances have no meaning, otherwise \"warning\".")
+      .def_readonly("count", &Defect::count,
+                    "Number of faces, edges, vertices or components with this defect.")
+      .def_readonly("first", &Defect::example, "The first of these elements.")
       .def("__str__", &Defect::text)
       .def("__repr__", [](const Defect& d) {
         return "<" + std::string(severity_of(d)) + ": " + d.text() + ">";
       });
 
-  py::class_<Description>(module, "Solver", "What a solver is, and whose.")
-      .def_readonly("name", &Description::name)
-      .def_readonly("family", &Description::family)
-      .def_readonly("paper", &Description::paper)
-      .def_readonly("remarks", &Description::remarks)
-      .def_property_readonly("parameters", &parameters_of)
-      .def_property_readonly("exact",
-                             [](const Description& d) { return d.exactness == Exactness::exact; })
-      .def_property_readonly("prepares", [](const Description& d) { return d.abilities.saves; })
+  py::class_<Description>(module, "Solver", "A solver and its origin, from `solvers`.")
+      .def_readonly("name", &Description::name, "Its name, for the argument `solver`.")
+      .def_readonly("family", &Description::family, "The family of solvers, such as \"MMP\".")
+      .def_readonly("paper", &Description::paper, "The paper to cite.")
+      .def_readonly("remarks", &Description::remarks, "Licences, limits and other notes.")
+      .def_property_readonly("parameters", &parameters_of,
+                             "Names of its parameters, which are keyword arguments of a query.")
+      .def_property_readonly(
+          "exact", [](const Description& d) { return d.exactness == Exactness::exact; },
+          "Whether distances are exact. If not, they are upper bounds.")
+      .def_property_readonly(
+          "prepares", [](const Description& d) { return d.abilities.saves; },
+          "Whether `Mesh.prepare` accepts it.")
       .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; });
 
   module.def("mesh", &mesh);
@@ -589,7 +681,8 @@ PYBIND11_MODULE(_native, module) {
   module.def("saved", &saved);
   module.def("load", &load);
   module.def("distances", &distances);
-  module.def("distances_and_nearest", &distances_and_nearest);
+  module.def("targets_and_nearest", &targets_and_nearest);
+  module.def("solve", &solve);
   module.def("paths", &paths);
   module.attr("MOST_LEVELS") = kMostLevels;
   module.def("equal_levels", [](const Array<double>& distances, Index count) {

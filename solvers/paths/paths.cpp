@@ -14,8 +14,9 @@ namespace {
 constexpr const char* kRoundabout =
     "the paths that the solver remembers come from no source; please report this mesh and query";
 
-[[noreturn]] void refuse_path(const Mesh& mesh, const InternalPoint& own) {
-  throw std::invalid_argument("no path leads to " + name_of(mesh, own));
+Path required(std::optional<Path> found, const Mesh& mesh, const InternalPoint& target) {
+  if (!found) throw std::invalid_argument("no path leads to " + name_of(mesh, target));
+  return *std::move(found);
 }
 
 /// Distance beyond which vertices have none.
@@ -53,27 +54,34 @@ double Paths::distance_at(const SurfacePoint& point) const {
   return PathSearch::from_face(field_, in_internal_numbers(field_.mesh(), point)).distance;
 }
 
-Path Paths::to_point(const SurfacePoint& point) const {
-  if (point.is_vertex()) return to_vertex(point.vertex);
+std::optional<Path> Paths::find_to_point(const SurfacePoint& point) const {
   const std::string defect = defect_of(field_.mesh(), point);
   if (!defect.empty()) throw std::invalid_argument(defect);
   const InternalPoint own = in_internal_numbers(field_.mesh(), point);
+  if (point.is_vertex()) {
+    const double distance = distances()[point.vertex];
+    if (distance == kInfinity) return std::nullopt;
+    return trace_path(field_, last_segments_, own, distance, last_segments_[own.vertex]);
+  }
   const PathSearch::Piece last = PathSearch::from_face(field_, own);
-  if (last.distance == kInfinity) refuse_path(field_.mesh(), own);
+  if (last.distance == kInfinity) return std::nullopt;
   return trace_path(field_, last_segments_, own, last.distance, {}, &last);
 }
 
-Path Paths::to_vertex(Index v) const {
-  const InternalPoint own(internal_vertex(v));
-  if (distances()[v] == kInfinity) refuse_path(field_.mesh(), own);
-  return trace_path(field_, last_segments_, own, distances()[v], last_segments_[own.vertex]);
+Path Paths::to_point(const SurfacePoint& point) const {
+  std::optional<Path> found = find_to_point(point);  // which checks the point
+  return required(std::move(found), field_.mesh(), in_internal_numbers(field_.mesh(), point));
+}
+
+std::optional<Path> Paths::find_to_target(std::size_t i) const {
+  const AtTarget& target = targets_.at(i);
+  if (target.distance == kInfinity) return std::nullopt;
+  return trace_path(field_, last_segments_, field_.query().targets[i], target.distance,
+                    target.last_segment);
 }
 
 Path Paths::to_target(std::size_t i) const {
-  const AtTarget& target = targets_.at(i);
-  const InternalPoint& own = field_.query().targets[i];
-  if (target.distance == kInfinity) refuse_path(field_.mesh(), own);
-  return trace_path(field_, last_segments_, own, target.distance, target.last_segment);
+  return required(find_to_target(i), field_.mesh(), field_.query().targets[i]);
 }
 
 std::optional<Index> Paths::source_here(Index v) const {

@@ -42,11 +42,14 @@ class Paths {
   /// @throws std::invalid_argument if there is no such vertex, or no path to it within the query's
   ///         limit
   /// @throws std::runtime_error if the recording does not describe a path of this mesh
-  Path to_vertex(Index v) const;
+  Path to_vertex(Index v) const { return to_point(SurfacePoint(v)); }
   /// Returns the path to target i of the query, as to_vertex.
   Path to_target(std::size_t i) const;
   /// Returns the path to any point, which is searched as in `distance_at`.
   Path to_point(const SurfacePoint& point) const;
+  /// As to_target and to_point; nullopt where no path leads.
+  std::optional<Path> find_to_target(std::size_t i) const;
+  std::optional<Path> find_to_point(const SurfacePoint& point) const;
 
   /// The index in the query of the source of the path to a vertex; kNone if it is unreachable.
   /// @throws std::invalid_argument if there is no such vertex

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,16 @@ PAGES = ["adding-a-solver.md", "adding-a-mesh.md", "adding-a-figure.md", "python
 
 @pytest.mark.parametrize("page", PAGES)
 def test_the_page_does_what_it_says(page: str, checkout: Checkout) -> None:
+    before = set(os.listdir(checkout.folder))
     follow(ROOT / "docs" / page, checkout.folder, checkout.environment)
+    if page == "python.md":
+        made = set(os.listdir(checkout.folder)) - before - {"geodesic_bench", "scan.ply"}  # by the test only
+        assert made > {"venv", "first-run", "path.png"} and made == ignored_by_git(made)
+
+
+def ignored_by_git(names: set[str]) -> set[str]:
+    command = ["git", "-C", str(ROOT), "check-ignore", "--stdin"]
+    return set(subprocess.run(command, input="\n".join(names), capture_output=True, text=True).stdout.split())
 
 
 def follow_text(text: str, folder: Path) -> None:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -146,10 +147,12 @@ TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
   const SurfaceMesh mesh = read_sphere();
   const SurfacePoint source = point_in_face(mesh, 7, {.2, .3, .5});
   const Field field = DistanceSolver(mesh).from({0, source});
+  const std::vector<Index> nearest = field.nearest_sources();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Path path = field.path_to(v);
     EXPECT_NEAR(path.length(), field[v], 1e-12);
     EXPECT_EQ(path.source, field.nearest_source(v));
+    EXPECT_EQ(path.source, nearest[v]);
     EXPECT_EQ(path.points.front().at, path.source == 0 ? SurfacePoint(0) : source);
   }
   for (Index face = 0; face < mesh.face_count(); ++face) {
@@ -195,6 +198,20 @@ TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
   EXPECT_NEAR(dijkstra.from({corner}).at(point), line, 1e-12);
 }
 
+TEST(Field, has_the_same_distances_at_several_points_as_at_each) {
+  const SurfaceMesh mesh = read_sphere();
+  const std::vector<SurfacePoint> points = {point_in_face(mesh, 7, {.2, .3, .5}), 12,
+                                            point_in_face(mesh, 90, {1, 1, 1})};
+  for (const char* solver : {"edge-based", "dijkstra"}) {
+    const Field field = DistanceSolver(mesh, solver).from({0, points[2]});
+    const std::vector<double> together = field.at(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(together[i], field.at(points[i]), 1e-12) << solver << ' ' << i;
+    }
+    EXPECT_TRUE(field.at(std::vector<SurfacePoint>{}).empty());
+  }
+}
+
 TEST(Field, outlives_its_solver_and_is_copied) {
   const SurfaceMesh mesh = read_sphere();
   Field field = DistanceSolver(mesh).from({0});
@@ -210,10 +227,13 @@ TEST(Field, has_no_paths_beyond_the_limit) {
   EXPECT_EQ(field[50], kInfinity);
   EXPECT_EQ(field.nearest_source(50), kNone);
   EXPECT_EQ(refusal([&] { field.path_to(50); }), "no path leads to vertex 50");
+  EXPECT_FALSE(field.find_path_to(50));
+  EXPECT_TRUE(field.find_path_to(0));
   Index face = 0;
   while (kSphere.triangles[face][0] != 50) ++face;
   const SurfacePoint beyond = point_in_face(mesh, face, {.2, .3, .5});
   EXPECT_EQ(field.at(beyond), kInfinity);
+  EXPECT_FALSE(field.find_path_to(beyond));
   EXPECT_EQ(refusal([&] { field.path_to(beyond); }),
             "no path leads to the point in face " + std::to_string(face));
 }

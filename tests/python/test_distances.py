@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import pickle
 import random
 import shutil
@@ -160,7 +161,7 @@ def test_a_mesh_of_another_package_is_its_arrays(ground: Arrays) -> None:
         mesh = gb.Mesh(other)
         np.testing.assert_array_equal(mesh.vertices, vertices)
         np.testing.assert_array_equal(mesh.faces, faces)
-    with pytest.raises(ValueError, match="^cells must be triangles, not quad$"):
+    with pytest.raises(ValueError, match="^cells must be triangles, not quad: convert them, or give gb.Mesh the"):
         gb.Mesh(SimpleNamespace(points=vertices, cells=[triangles, quads]))
     with pytest.raises(ValueError, match="^a mesh needs at least one vertex and one face$"):
         gb.Mesh(SimpleNamespace(points=vertices, cells=[edges]))
@@ -267,6 +268,21 @@ def test_queries_and_meshes_do_not_make_the_process_grow() -> None:
     before = resident_bytes()
     ask(500)
     assert resident_bytes() - before < 5e6
+
+
+def test_indices_are_signed_so_that_differences_do_not_wrap(mesh: Any) -> None:
+    line = mesh.isolines(mesh.distances(0), [3])[0]
+    for indices in (mesh.faces, mesh.path(0, 143).faces, line.faces, pickle.loads(pickle.dumps(mesh)).faces):
+        assert indices.dtype == np.int64 and (np.diff(indices, axis=0) < 0).any()
+    assert mesh.faces is mesh.faces
+
+
+def test_no_number_of_threads_is_that_of_the_processors(mesh: Any) -> None:
+    expected = mesh.distances(3, threads=os.cpu_count(), region_size=20)
+    np.testing.assert_array_equal(mesh.distances(3, threads=0, region_size=20), expected)
+    np.testing.assert_array_equal(mesh.solve(3, threads=0).distances, mesh.distances(3))
+    np.testing.assert_array_equal(mesh.pair_distances([3], [99], threads=0), mesh.distances(3)[[99]])
+    assert mesh.prepare(threads=0).solver == mesh.prepare(threads=os.cpu_count()).solver
 
 
 def test_several_threads_answer_one_source(mesh: Any) -> None:

@@ -69,6 +69,7 @@ def test_an_interrupted_solve_ends_after_its_mesh_is_gone(call: str) -> None:
     [
         LONG_SOLVE,
         'mesh.distances(0, solver="mmp", return_nearest=True)',
+        'mesh.solve(0, solver="mmp")',
         'mesh.path(0, 159999, solver="mmp")',
         'mesh.distance_matrix([0, (1, (1, 1, 1))], limit=1e9, solver="mmp")',
         BUILD_OF_A_MESH,

@@ -30,7 +30,7 @@ print(gb.__file__, *{mesh.distances([1], solver=name)[2] for name in gb.solvers(
 OF_EVERY_SYSTEM = {"libstdc++", "libgcc_s", "libm", "libc", "ld-linux-x86-64", "ld-linux-aarch64"}
 
 
-@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.arrays", "geodesic_bench.mesh", "geodesic_bench.prepared"])
+@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.arrays", "geodesic_bench.field", "geodesic_bench.mesh", "geodesic_bench.prepared"])
 def test_examples_of_docstrings_do_what_they_say(module: str) -> None:
     failed, tried = doctest.testmod(importlib.import_module(module))
     assert tried > 0 and failed == 0
@@ -58,7 +58,12 @@ def test_stubs_name_what_the_compiled_module_has() -> None:
 def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for name in gb.__all__:
         assert getattr(gb, name).__doc__, name
-    for method in (gb.Mesh.distances, gb.Mesh.isolines, gb.Mesh.paths, gb.Mesh.nearest_point,
+    for native in (gb.Defect, gb.Solver):
+        assert all(inspect.getdoc(each) for name, each in vars(native).items() if name[0] != "_"), native
+    for attribute in ("points", "faces", "travelled", "length", "source"):
+        assert f"    {attribute} : " in gb.Path.__doc__
+    for method in (gb.Mesh.distances, gb.Mesh.solve, gb.Mesh.isolines, gb.Mesh.path, gb.Mesh.paths, gb.Mesh.nearest_point,
+                   gb.Field.at, gb.Field.path_to, gb.Field.paths_to, gb.Field.isolines,
                    gb.Mesh.distance_matrix, gb.Mesh.prepare, gb.Mesh.load_prepared, gb.Prepared.save, gb.read_mesh, gb.run, gb.benchmark):
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]

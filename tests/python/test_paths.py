@@ -56,11 +56,3 @@ def test_paths_by_one_solve_are_those_of_a_solve_each(mesh: Any) -> None:
         np.testing.assert_array_equal(path.faces, alone.faces)
     assert mesh.paths(5, []) == []
     assert len(mesh.paths(5, 7)) == 1
-
-
-def test_no_path_is_an_error_with_the_target_as_it_was_given() -> None:
-    mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
-    with pytest.raises(ValueError, match="^no path leads to vertex 4$"):
-        mesh.path(0, 4)
-    with pytest.raises(ValueError, match="^no path leads to the point in face 1$"):
-        mesh.paths(0, [1, (1, (1, 1, 1))])

@@ -40,6 +40,7 @@ def test_a_preparation_answers_with_the_bits_of_its_solver(mesh: Any, prepared: 
     path = mesh.path(3, 99, solver=SOLVER)
     np.testing.assert_array_equal(prepared.path(3, 99).points, path.points)
     np.testing.assert_array_equal(prepared.paths(3, [99])[0].points, path.points)
+    np.testing.assert_array_equal(prepared.solve(3).path_to(99).points, path.points)
     for options in ({}, {"columns": targets}, {"dtype": "float32", "threads": 2}):
         np.testing.assert_array_equal(
             prepared.distance_matrix(range(9), **options),

@@ -16,6 +16,7 @@ gb = pytest.importorskip("geodesic_bench")
 
 CORNERS = np.eye(3)
 FACE = [[0, 1, 2]]
+MASKED: Any = np.ma  # without types
 NOTHING = "a mesh needs at least one vertex and one face"
 
 
@@ -26,7 +27,7 @@ NOTHING = "a mesh needs at least one vertex and one face"
         (np.zeros((0, 3)), FACE, NOTHING),
         (CORNERS, np.zeros((0, 3), int), NOTHING),
         (CORNERS, np.zeros((0, 3)), NOTHING),
-        (CORNERS[:2].T, FACE, "vertices must have the shape (n, 3), not (3, 2)"),
+        (np.ones((3, 5)), FACE, "vertices must have the shape (n, 3), not (3, 5): transpose them with .T"),
         ([[0, 1], [2]], FACE, "vertices must be an array of numbers"),
         ([["a", "b", "c"]], FACE, "vertices must be real numbers, not <U1"),
         (CORNERS * 1j, FACE, "vertices must be real numbers, not complex128"),
@@ -40,7 +41,12 @@ NOTHING = "a mesh needs at least one vertex and one face"
         (CORNERS, [[0, 1, 1]], "face 0 names a vertex twice"),
         (CORNERS, [[0, 1, 2.0]], "faces must be integers, not float64: write .astype(int) for indices"),
         (CORNERS, [[True, False, True]], "faces must be integers, not bool"),
-        (CORNERS, [0, 1, 2], "faces must have the shape (n, 3), not (3,)"),
+        (CORNERS, [0, 1, 2], "faces must have the shape (n, 3), not (3,); a flat array is [3, a, b, c, 3, ...], of"),
+        (CORNERS, [4, 0, 1, 2, 0], "faces must have the shape (n, 3), not (5,); a flat array is [3, a, b, c, 3, ...]"),
+        (CORNERS, [[3, 0, 1, 2]], "faces must have the shape (n, 3), not (1, 4): leave out the first column"),
+        (CORNERS, [[0, 1, 2, 0]], "faces must have the shape (n, 3), not (1, 4): divide the quadrangles into tri"),
+        (CORNERS, [3, 0, 1, 3], "face 0: vertex 3 is not in the mesh of 3 vertices"),
+        (([[0, 1], [2]], FACE), None, "vertices must be an array of numbers"),
         (CORNERS, None, "a mesh is vertices and faces, or an object that has them, or points and ce"),
     ],
 )  # fmt: skip
@@ -110,6 +116,88 @@ def test_queries_that_have_no_answer_are_refused(query: dict[str, Any], sentence
         ask.get(next(iter(query)), mesh.distance_matrix)(**query)
     assert str(refused.value).startswith(sentence)
     assert mesh.distances(0)[0] == 0
+
+
+def test_an_error_is_a_value_error_and_what_python_raises_in_such_a_case() -> None:
+    mesh = gb.Mesh(CORNERS, FACE)
+    outside: list[Callable[[], Any]] = [
+        lambda: mesh.distances(3),
+        lambda: mesh.path(0, (1, (1, 1, 1))),
+        lambda: gb.Mesh(CORNERS, [[0, 1, 3]]),
+    ]
+    unknown: list[Callable[[], Any]] = [
+        lambda: mesh.distances(0, radius=2),
+        lambda: mesh.solve(0, some_factor=2),
+        lambda: mesh.distances(0, solver="mmp", threads=2),
+        lambda: mesh.distances(0, solver="dijkstra", region_size=9),
+        lambda: mesh.distances(0, solver=mesh.prepare(), alpha=0.1),
+    ]
+    for calls, kind in ((outside, IndexError), (unknown, TypeError)):
+        for call in calls:
+            for expected in (kind, ValueError):
+                with pytest.raises(expected):
+                    call()
+    with pytest.raises(TypeError, match="^mmp has no parameter 'threads': leave it out$"):
+        mesh.distances(0, solver="mmp", threads=0)
+
+
+class Tensor:
+    """As of torch, on a device: NumPy cannot convert it."""
+
+    def __array__(self, *_: object, **__: object) -> Any:
+        raise TypeError("can't convert cuda:0 device type tensor to numpy")
+
+    def detach(self) -> Tensor:
+        return self
+
+
+class WithGradient(Tensor):
+    def __array__(self, *_: object, **__: object) -> Any:
+        raise RuntimeError("Can't call numpy() on Tensor that requires grad")
+
+
+class OfCupy:
+    __cuda_array_interface__: Any = {}
+
+    def __array__(self, *_: object, **__: object) -> Any:
+        raise TypeError("Implicit conversion to a NumPy array is not allowed")
+
+
+class PolyData:
+    points = CORNERS
+
+
+@pytest.mark.parametrize(
+    ("values", "remedy"),
+    [
+        (MASKED.array([0, 1], mask=[0, 1]), " must not have masked entries: leave them out, or call .filled(value)"),
+        (Tensor(), ", not a Tensor on a device or with a gradient: call .detach().cpu().numpy()"),
+        (WithGradient(), ", not a WithGradient on a device or with a gradient: call .detach().cpu().numpy()"),
+        (OfCupy(), ", not a OfCupy on a GPU: call .get()"),
+        ((i for i in (0, 1)), ", not a generator: call list() first"),
+        ({0, 1}, ", not a set: call list() first"),
+        ({0: 1}.keys(), ", not a dict_keys: call list() first"),
+        (PolyData(), ", not a PolyData: pass its .points"),
+    ],
+)  # fmt: skip
+def test_an_object_that_is_no_array_is_refused_with_what_to_call(values: Any, remedy: str) -> None:
+    mesh = gb.Mesh(CORNERS, FACE)
+    calls: list[Callable[[Any], Any]] = [
+        mesh.distances,
+        mesh.distance_matrix,
+        lambda values: mesh.distances(0, initial=values),
+        lambda values: gb.Mesh(values, FACE),
+        lambda values: gb.Mesh(CORNERS, values),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError) as refused:
+            call(values)
+        assert str(refused.value).endswith(remedy)
+
+
+def test_a_masked_array_without_masked_entries_is_its_values() -> None:
+    mesh = gb.Mesh(MASKED.array(CORNERS), MASKED.array(FACE))
+    np.testing.assert_array_equal(mesh.distances(MASKED.array([0])), mesh.distances([0]))
 
 
 @pytest.mark.filterwarnings("ignore:.* from the surface, whose nearest point is taken")

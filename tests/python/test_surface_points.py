@@ -186,6 +186,13 @@ def test_a_place_far_from_the_surface_gives_one_warning_at_the_line_of_the_calle
         mesh.distances([near, 3])
 
 
+def test_several_points_are_refused_where_one_is_meant(mesh: Any) -> None:
+    for points in ([1, 2, 3], np.array([1, 2]), []):
+        for ask in (lambda target: mesh.path(0, target), mesh.solve(0).path_to):
+            with pytest.raises(ValueError, match=r"^a (target|point) must be a vertex, a tuple \(face, three weights\)"):
+                ask(points)
+
+
 NO_POINT = "a source must be a vertex, a tuple (face, three weights), or Place(x, y, z)"
 WEIGHTS = "the weights of a source must be finite, none negative, and not all 0, not "
 
@@ -194,8 +201,6 @@ WEIGHTS = "the weights of a source must be finite, none negative, and not all 0,
     ("source", "message"),
     [
         (144, "source vertex 144 is not in the mesh of 144 vertices, numbered from 0 to 143"),
-        ([1, 2, 3], NO_POINT),
-        (np.array([1, 2]), NO_POINT),
         ((1, (0.5, 0.5)), NO_POINT),
         ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces, numbered from 0 to 241"),
         ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces, numbered from 0 to 241"),
@@ -213,8 +218,8 @@ def test_a_point_that_is_none_is_refused(mesh: Any, source: object, message: str
     assert str(refusal.value) == message
     if "three weights" in message and not isinstance(source, tuple):
         return  # other functions read it as a list of vertices
-    for ask in (mesh.distances, mesh.distance_matrix):
+    for ask in (mesh.distances, mesh.solve, mesh.distance_matrix):
         with pytest.raises(ValueError) as refusal:
             ask([7, source] if isinstance(source, tuple) else source)
-        what = "source" if ask.__name__ == "distances" else "row"
+        what = "row" if ask.__name__ == "distance_matrix" else "source"
         assert str(refusal.value) == message.replace("source", what)

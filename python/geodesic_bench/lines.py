@@ -1,0 +1,61 @@
+"""Lines over a mesh: paths and isolines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class Polyline:
+    """A line over the surface that is straight in each face. Path describes its attributes."""
+
+    points: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    travelled: NDArray[np.float64]
+
+    @property
+    def length(self) -> float:
+        """Length, in the unit of the coordinates."""
+        return float(self.travelled[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class Path(Polyline):
+    """A shortest path, from its source to its target, straight in each face.
+
+    Attributes
+    ----------
+    points : (k, 3) float64
+        Its begin, its points on edges and at vertices, and its end.
+    faces : (k - 1,) int64
+        The face that it crosses between each point and the next.
+    travelled : (k,) float64
+        Its length up to each point, in the unit of the coordinates.
+    length : float
+        Its whole length. The distance of its end is larger by the initial distance of its source, if any.
+    source : int
+        Index of its source among the sources: the nearest of them.
+    """
+
+    source: int
+
+
+@dataclass(frozen=True, eq=False)
+class Isoline(Polyline):
+    """A line on which the distance, interpolated linearly along the edges, is the level.
+
+    Attributes
+    ----------
+    points, faces, travelled, length
+        As of a Path.
+    level : float
+        A distance, in the unit of the coordinates.
+    closed : bool
+        Whether the last point is the first one again.
+    """
+
+    level: float
+    closed: bool
