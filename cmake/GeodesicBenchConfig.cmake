@@ -1,13 +1,14 @@
 # find_package(GeodesicBench) provides
 #   GeodesicBench::geodesic        the solvers as a library
 #   GeodesicBench::meshes          mesh files, their defects and repair; static; links to the solvers and
-#                                  needs OpenMesh
+#                                  needs OpenMesh. These two are there with add_subdirectory too
 #   GeodesicBench::openmesh        meshes/editing/open_mesh.h: conversion between meshes of OpenMesh
 #                                  and of the library; the component `openmesh`, if OpenMesh is found
-#   GeodesicBench::geodesic-bench  the program
+#   GeodesicBench::geodesic-bench  the program, if it is installed
 #   geodesic_add_solver            function that builds new solvers as a plug-in of the program
 find_package(OpenMesh QUIET)
 include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchTargets.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchProgram.cmake OPTIONAL)
 if(OpenMesh_FOUND)
   add_library(GeodesicBench::openmesh INTERFACE IMPORTED)
   target_link_libraries(GeodesicBench::openmesh INTERFACE GeodesicBench::geodesic OpenMeshCore)

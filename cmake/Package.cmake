@@ -1,19 +1,33 @@
-# Files of `cmake --install`: the library with its headers and the package GeodesicBench, the program,
-# and in share/geodesic-bench the files that the program reads, in the folders of the checkout.
+# Files of `cmake --install`: the component `library`, which is the library with its headers, the package
+# GeodesicBench and a file for pkg-config; then the program, and in share/geodesic-bench the files that
+# the program reads, in the folders of the checkout.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/GeodesicBench)
 
 install(
-  TARGETS geodesic geodesic_meshes geodesic-bench
+  TARGETS geodesic geodesic_meshes
   EXPORT GeodesicBenchTargets
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/geodesic-bench)
-install(EXPORT GeodesicBenchTargets NAMESPACE GeodesicBench:: DESTINATION ${package_folder})
+  LIBRARY COMPONENT library
+  ARCHIVE COMPONENT library
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/geodesic-bench COMPONENT library)
+install(EXPORT GeodesicBenchTargets NAMESPACE GeodesicBench:: DESTINATION ${package_folder}
+        COMPONENT library)
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES cmake/GeodesicBenchConfig.cmake
               ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake
-        DESTINATION ${package_folder})
+        DESTINATION ${package_folder} COMPONENT library)
+file(RELATIVE_PATH GEODESIC_PREFIX_FROM_PKGCONFIG
+     ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/geodesic-bench.pc.in geodesic-bench.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/geodesic-bench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT library)
+if(NOT GEODESIC_PROGRAM)
+  return()
+endif()
 
+install(TARGETS geodesic-bench EXPORT GeodesicBenchProgram)
+install(EXPORT GeodesicBenchProgram NAMESPACE GeodesicBench:: DESTINATION ${package_folder})
 install(FILES CITATION.cff LICENSE README.md DESTINATION ${GEODESIC_DATA_FOLDER})
 install(PROGRAMS datasets/fetch.py DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
 install(FILES datasets/README.md datasets/manifest.json datasets/manifest.schema.json

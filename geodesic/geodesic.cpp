@@ -15,10 +15,33 @@ void solve_points(std::string_view solver, const Mesh& mesh, const Query& query,
   PointSolver(solver, mesh, sources, query.targets).solve(query, distances, at_targets);
 }
 
+MeshFile file_of(TriangleSoup soup) {
+  MeshFile file;
+  file.soup = std::move(soup);
+  return file;
+}
+
+/// With the options' names in C++, for messages.
+LoadOptions named(LoadOptions options) {
+  options.repair_option = "{.repair = true}";
+  options.weld_option = "{.weld = 0}";
+  return options;
+}
+
 }  // namespace
 
+SurfaceMesh::SurfaceMesh(TriangleSoup soup, const LoadOptions& options)
+    : SurfaceMesh(std::shared_ptr<const Mesh>(
+          build_mesh(file_of(std::move(soup)), "the triangles", named(options)).mesh)) {}
+
+SurfaceMesh::SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                         const LoadOptions& options)
+    : SurfaceMesh(
+          TriangleSoup{{positions.begin(), positions.end()}, {triangles.begin(), triangles.end()}},
+          options) {}
+
 SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  return SurfaceMesh(std::move(*build_mesh(path, options).mesh));
+  return SurfaceMesh(std::shared_ptr<const Mesh>(build_mesh(path, named(options)).mesh));
 }
 
 std::span<const double> Field::distances() const& {
@@ -67,9 +90,18 @@ const Paths& Field::paths() const {
   return *paths_;
 }
 
-Field solve_field(PointSolver& solver, const Mesh& mesh, Query query) {
+DistanceSolver::DistanceSolver(const SurfaceMesh& mesh, std::string_view solver)
+    : mesh_(mesh.shared()), solver_(solver, *mesh_) {}
+
+// The pointer shares nothing: it does not own the mesh.
+DistanceSolver::DistanceSolver(const Mesh& mesh, std::string_view solver)
+    : DistanceSolver(SurfaceMesh(std::shared_ptr<const Mesh>(std::shared_ptr<void>(), &mesh)),
+                     solver) {}
+
+Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> shared, Query query) {
+  const Mesh& mesh = *shared;
   const Description& description = solver.solver().description();
-  Field field(description.name, mesh);
+  Field field(description.name, std::move(shared));
   if (description.abilities.paths) {
     field.paths_ = std::make_shared<const Paths>(solve_paths(solver.solver(), mesh, query));
     return field;

@@ -23,48 +23,48 @@
 #include <vector>
 
 #include "meshes/connectivity.h"
+#include "meshes/field_file.h"
 #include "meshes/isolines.h"
 #include "meshes/load.h"
 #include "meshes/pair_distances.h"
 #include "meshes/point_solver.h"
 #include "meshes/weld.h"
 #include "solvers/paths/paths.h"
+#include "solvers/paths/straightest.h"
 
 namespace geodesic {
 
 /// A mesh with the vertex and face numbers of its file. It converts to Mesh, the type that solvers
 /// take. Mesh's functions use internal numbers: the order in memory with which solvers are fast.
+/// The mesh is constant: copies share it, also with solvers and fields.
 class SurfaceMesh {
  public:
-  /// @throws std::invalid_argument for the reasons of Mesh's constructor
-  SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
-      : mesh_(positions, triangles, Numbering::along_surface) {}
-  /// With joined vertices: meshes/weld.h. `SurfaceMesh({positions, triangles}, 0)` joins those at
-  /// the same place.
-  /// @throws std::invalid_argument also for a distance that is negative or not finite
-  SurfaceMesh(TriangleSoup soup, double weld_distance)
-      : mesh_(welded(std::move(soup), weld_distance), Numbering::along_surface) {}
-  explicit SurfaceMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
+  /// Checks the triangles as `read_mesh` does those of a file: a mesh on which distances would be
+  /// meaningless is refused, or repaired. Without warnings, which `build_mesh` returns.
+  /// @throws MeshError for the reasons of load_mesh
+  explicit SurfaceMesh(TriangleSoup soup, const LoadOptions& options = {});
+  SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+              const LoadOptions& options = {});
+  /// Without a check.
+  explicit SurfaceMesh(Mesh mesh) : SurfaceMesh(std::make_shared<const Mesh>(std::move(mesh))) {}
+  /// @param mesh not null
+  explicit SurfaceMesh(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
 
-  Index vertex_count() const { return mesh_.vertex_count(); }
-  Index face_count() const { return mesh_.external_face_count(); }
+  Index vertex_count() const { return mesh_->vertex_count(); }
+  Index face_count() const { return mesh_->external_face_count(); }
   /// Position of a vertex, whose number is not checked.
   Vec3 position(Index vertex) const {
-    return mesh_.position(mesh_.numbers().internal_vertex(vertex));
+    return mesh_->position(mesh_->numbers().internal_vertex(vertex));
   }
   /// Copies of the positions and triangles.
-  TriangleSoup soup() const { return soup_of(mesh_); }
+  TriangleSoup soup() const { return soup_of(*mesh_); }
 
-  operator const Mesh&() const& { return mesh_; }  // NOLINT: it is one
+  const std::shared_ptr<const Mesh>& shared() const { return mesh_; }
+  operator const Mesh&() const& { return *mesh_; }  // NOLINT: it is one
   operator const Mesh&() const&& = delete;
 
  private:
-  static TriangleSoup welded(TriangleSoup soup, double distance) {
-    weld(soup, distance);
-    return soup;
-  }
-
-  Mesh mesh_;
+  std::shared_ptr<const Mesh> mesh_;
 };
 
 /// Reads the mesh of a file. `build_mesh` returns the warnings as well.
@@ -76,7 +76,7 @@ struct FieldOptions {
 };
 
 /// The distances from the nearest of some sources, and the paths from it. Immutable: any number of
-/// threads may use it. Copies share their memory.
+/// threads may use it. Copies share their memory. A field keeps its mesh.
 class Field {
  public:
   /// One distance for each vertex; infinite where no path within the limit exists. They belong to
@@ -115,17 +115,27 @@ class Field {
   std::vector<Isoline> isolines(const std::vector<double>& levels) const {
     return geodesic::isolines(*mesh_, distances(), levels);
   }
+  /// The bytes of a file with the mesh and the distances, for programs that show them:
+  /// meshes/field_file.h. @throws MeshError for another extension than .ply and .vtk
+  std::string file_bytes(const std::filesystem::path& file) const {
+    return field_bytes(soup_of(*mesh_), distances(), {}, file);
+  }
+
+  /// Polar coordinates of every vertex around its nearest source: solvers/paths/straightest.h.
+  /// @throws std::invalid_argument when the solver does not remember paths, and as log_map
+  std::vector<PolarCoordinates> log_map() const { return geodesic::log_map(*mesh_, paths()); }
   /// `count` levels between 0 and the largest finite distance: `equal_levels`.
   std::vector<double> levels(Index count) const { return equal_levels(distances(), count); }
 
  private:
-  friend Field solve_field(PointSolver& solver, const Mesh& mesh, Query query);
-  Field(std::string solver, const Mesh& mesh) : solver_(std::move(solver)), mesh_(&mesh) {}
+  friend Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query);
+  Field(std::string solver, std::shared_ptr<const Mesh> mesh)
+      : solver_(std::move(solver)), mesh_(std::move(mesh)) {}
   /// @throws std::invalid_argument when the solver does not remember paths
   const Paths& paths() const;
 
   std::string solver_;
-  const Mesh* mesh_;
+  std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Paths> paths_;  // null when the solver does not remember paths
   // Used only when the solver does not remember paths:
   Query query_;
@@ -134,20 +144,21 @@ class Field {
 
 /// Solves a query without targets with a solver that the caller keeps, as DistanceSolver does.
 /// @param solver a solver on this mesh, without inserted points
-/// @param mesh must outlive the field
 /// @throws std::invalid_argument for the reasons of DistanceSolver::from
-Field solve_field(PointSolver& solver, const Mesh& mesh, Query query);
+Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query);
 
 /// Computes distances on one mesh. It keeps its memory from one call to the next and must be used
-/// by one thread at a time. Any number of solvers may share a mesh.
+/// by one thread at a time. Any number of solvers may share a mesh. It may be moved.
 class DistanceSolver {
  public:
-  /// @param mesh must outlive this object and its fields
+  /// Shares the mesh with its fields: none of them need outlive another.
   /// @param solver a name with parameters, as in make_solver
   /// @throws std::invalid_argument for an unknown name (the message lists the known ones), and when
   ///         the mesh needs an ability that the solver lacks
-  explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based")
-      : mesh_(mesh), solver_(solver, mesh) {}
+  explicit DistanceSolver(const SurfaceMesh& mesh, std::string_view solver = "edge-based");
+  /// As above, for a mesh of the program's own.
+  /// @param mesh must outlive this object and its fields, and stay where it is
+  explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based");
   explicit DistanceSolver(const Mesh&& mesh, std::string_view solver = "edge-based") = delete;
 
   /// Distances from vertices and points, at least one. The same solve records the data for paths.
@@ -170,7 +181,7 @@ class DistanceSolver {
   static Source source_at(const SurfacePoint& point) { return {.at = point}; }
   static Source source_at(const Source& source) { return source; }
 
-  const Mesh& mesh_;
+  std::shared_ptr<const Mesh> mesh_;
   PointSolver solver_;
 };
 

@@ -79,7 +79,7 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
   const std::string errors = list_errors(defects, options.non_manifold_edges);
   if (!errors.empty() && !options.repair) {
     throw MeshError(name + ": distances would be meaningless: " + errors +
-                    "; correct the file or use " + options.repair_option);
+                    "; correct the mesh or use " + options.repair_option);
   }
   const bool has_faces = std::ranges::count(faces_of(soup), true) > 0;
   if (!has_faces && !soup.left_out.empty()) {

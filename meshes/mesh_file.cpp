@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "meshes/connectivity.h"
+#include "meshes/field_file.h"
 #include "meshes/formats/parsing.h"
 
 namespace geodesic {
@@ -112,22 +113,6 @@ std::string to_off(const TriangleSoup& soup) {
   return text;
 }
 
-std::string to_ply(const TriangleSoup& soup) {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                      std::to_string(soup.positions.size()) +
-                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                      std::to_string(soup.triangles.size()) +
-                      "\nproperty list uchar uint vertex_indices\nend_header\n";
-  for (const Vec3& point : soup.positions) {
-    for (const double coordinate : point) append_little_endian(bytes, coordinate);
-  }
-  for (const Triangle& triangle : soup.triangles) {
-    bytes += '\3';
-    for (const Index v : triangle) append_little_endian(bytes, v);
-  }
-  return bytes;
-}
-
 }  // namespace
 
 std::string lower_extension(const fs::path& file) {
@@ -198,7 +183,7 @@ std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& pa
   if (extension == ".obj") return to_obj(soup);
   if (extension == ".off") return to_off(soup);
   if (extension != ".ply") refuse("a mesh is written as .obj, .off or .ply");
-  return to_ply(soup);
+  return ply_bytes(soup);
 }
 
 }  // namespace geodesic

@@ -77,7 +77,7 @@ std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, cons
 
 PointSolver::PointSolver(std::string_view solver, const Mesh& mesh,
                          std::shared_ptr<const InsertedPoints> inserted)
-    : mesh_(mesh),
+    : mesh_(&mesh),
       inserted_(std::move(inserted)),
       solver_(make_solver(solver, inserted_ == nullptr ? mesh : inserted_->mesh())) {}
 
@@ -104,7 +104,7 @@ void PointSolver::solve_inserted(const Query& query, std::span<double> distances
                                  std::span<double> at_targets) {
   const Query finer = inserted_->translated(query);
   finer_.resize(inserted_->mesh().vertex_count());
-  if (distances.size() != mesh_.vertex_count()) {
+  if (distances.size() != mesh_->vertex_count()) {
     throw std::invalid_argument(name() + ": needs room for one distance a vertex");
   }
   solver_->solve(finer, finer_);
@@ -124,19 +124,19 @@ void PointSolver::correct_near_sources(const Query& query, std::span<double> dis
   };
   std::vector<std::vector<InFace>> targets;
   for (const SurfacePoint& target : query.targets) {
-    targets.push_back(faces_of(mesh_, in_internal_numbers(mesh_, target)));
+    targets.push_back(faces_of(*mesh_, in_internal_numbers(*mesh_, target)));
   }
   for (const Source& source : query.sources) {
-    const std::vector<InFace> at = faces_of(mesh_, in_internal_numbers(mesh_, source.at));
+    const std::vector<InFace> at = faces_of(*mesh_, in_internal_numbers(*mesh_, source.at));
     const auto line = [&](const std::vector<InFace>& to) {
-      return source.distance + straight_length(mesh_, at, to);
+      return source.distance + straight_length(*mesh_, at, to);
     };
     for (std::size_t i = 0; i < targets.size(); ++i) correct(at_targets[i], line(targets[i]));
     if (source.at.is_vertex()) continue;
     for (const InFace& face : at) {
-      for (const Index corner : mesh_.triangle(face.face)) {
-        correct(distances[mesh_.numbers().external_vertex(corner)],
-                line(faces_of(mesh_, InternalPoint(corner))));
+      for (const Index corner : mesh_->triangle(face.face)) {
+        correct(distances[mesh_->numbers().external_vertex(corner)],
+                line(faces_of(*mesh_, InternalPoint(corner))));
       }
     }
   }

@@ -38,10 +38,10 @@ class PointSolver {
 
   /// @param ready supports all points of later queries
   explicit PointSolver(std::unique_ptr<Solver> ready)
-      : mesh_(ready->mesh()), solver_(std::move(ready)) {}
+      : mesh_(&ready->mesh()), solver_(std::move(ready)) {}
 
   /// Returns another object with the same preparation, for another thread (Solver::another).
-  PointSolver another() const { return {mesh_, inserted_, solver_->another()}; }
+  PointSolver another() const { return {*mesh_, inserted_, solver_->another()}; }
 
   /// As Solver::solve. Distances of all vertices and targets are exact if the solver is exact.
   /// @param distances one entry per vertex of the given mesh
@@ -53,7 +53,7 @@ class PointSolver {
  private:
   PointSolver(const Mesh& mesh, std::shared_ptr<const InsertedPoints> inserted,
               std::unique_ptr<Solver> solver)
-      : mesh_(mesh), inserted_(std::move(inserted)), solver_(std::move(solver)) {}
+      : mesh_(&mesh), inserted_(std::move(inserted)), solver_(std::move(solver)) {}
 
   const std::string& name() const { return solver_->description().name; }
   void solve_inserted(const Query& query, std::span<double> distances,
@@ -61,7 +61,7 @@ class PointSolver {
   void correct_near_sources(const Query& query, std::span<double> distances,
                             std::span<double> at_targets) const;
 
-  const Mesh& mesh_;
+  const Mesh* mesh_;
   std::shared_ptr<const InsertedPoints> inserted_;  // null if the solver supports all points
   std::unique_ptr<Solver> solver_;                  // on the finer mesh if there is one
   std::vector<double> finer_;                       // distances on the finer mesh

@@ -28,6 +28,9 @@ void add_generate_command(CLI::App& app);
 /// several threads. Prints a JSON object and writes distances to a file.
 void add_solve_command(CLI::App& app);
 
+/// `trace MESH --from POINT --direction X,Y,Z --length L`: a straightest line.
+void add_trace_command(CLI::App& app);
+
 /// `verify --solver NAME [--corpus NAME]`: checks properties of solvers. For a failure it prints
 /// the smallest case, the command that reproduces it and the place of the error.
 void add_verify_command(CLI::App& app);

@@ -39,6 +39,11 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   if (!output.empty()) {
     if (output != kStandardOutput) check_output("--output", output, entry.file);
     outputs.distances.emplace(output);
+    if (outputs.distances->is_mesh() && (flags.each || flags.angles || !flags.pairs_file.empty())) {
+      throw HarnessError("--output '" + output +
+                         "' is a mesh with the distances of one query: with --each, --pairs and "
+                         "--angles write .txt, .csv or .npy");
+    }
   }
   const auto open_lines = [&](std::optional<AtomicFile>& to, const char* flag,
                               const std::string& file) {
@@ -200,6 +205,9 @@ void add_solve_command(CLI::App& app) {
   command->add_flag("--nearest-source", flags->nearest_source,
                     "a second column of --output: the number of the nearest source in the list of "
                     "sources, -1 where no path leads");
+  command->add_flag("--angles", flags->angles,
+                    "a further column of --output: the angle in radians at which the shortest path "
+                    "leaves its source (the logarithmic map)");
   command->add_flag("--each", flags->each, "solve from each source separately");
   command
       ->add_option("--threads", flags->threads,
@@ -211,7 +219,9 @@ void add_solve_command(CLI::App& app) {
       ->add_option(
           "-o,--output", flags->output,
           "file for the distances, .txt, .csv or .npy: one a vertex, with --pairs one a pair, "
-          "or with --each a row a source; - is standard output, and the JSON object then goes to "
+          "or with --each a row a source; .ply and .vtk have the mesh too, for MeshLab (quality) "
+          "and "
+          "ParaView; - is standard output, and the JSON object then goes to "
           "standard error")
       ->type_name("FILE");
   command
@@ -257,7 +267,7 @@ void add_solve_command(CLI::App& app) {
        {"--source", "--sources-file", "--target", "--targets-file", "--pairs", "--stop-at-targets",
         "--limit"}},
       {"What is written",
-       {"--output", "--out", "--nearest-source", "--paths", "--isolines", "--levels"}},
+       {"--output", "--out", "--nearest-source", "--angles", "--paths", "--isolines", "--levels"}},
       {"How it is solved",
        {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
       {"The mesh", {"--weld", "--repair", "--cross-non-manifold", "--manifest"}},
@@ -265,9 +275,10 @@ void add_solve_command(CLI::App& app) {
   for (const auto& [group, options] : groups) {
     for (const char* option : options) command->get_option(option)->group(group);
   }
-  for (const char* other : {"--source", "--sources-file", "--target", "--targets-file",
-                            "--stop-at-targets", "--limit", "--nearest-source", "--paths",
-                            "--isolines", "--levels", "--each", "--check", "--counters"}) {
+  for (const char* other :
+       {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets", "--limit",
+        "--nearest-source", "--angles", "--paths", "--isolines", "--levels", "--each", "--check",
+        "--counters"}) {
     pairs->excludes(other);
   }
   command->footer(

@@ -35,6 +35,13 @@ void append_little_endian(std::string& bytes, T number) {
   bytes.append(raw.data(), raw.size());
 }
 
+/// Appends a number in big-endian order.
+template <class T>
+void append_big_endian(std::string& bytes, T number) {
+  append_little_endian(bytes, number);
+  std::reverse(bytes.end() - sizeof(T), bytes.end());
+}
+
 /// Appends a number as text, independently of the locale, unlike streams. Without a format, a real
 /// number is written with the fewest digits that restore it exactly.
 template <class Number, class... Format>

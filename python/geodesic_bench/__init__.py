@@ -13,12 +13,12 @@ from geodesic_bench._native import Defect, Solver, __version__
 from geodesic_bench.arrays import Place
 from geodesic_bench.field import Field
 from geodesic_bench.functions import benchmark, verify
-from geodesic_bench.lines import Isoline, Path
+from geodesic_bench.lines import Isoline, LogMap, Path, StraightestLine
 from geodesic_bench.mesh import Mesh, defects, read_mesh, solvers
 from geodesic_bench.prepared import Certificate, Prepared
 from geodesic_bench.program import Results, run
 
 __all__ = [
-    "Certificate", "Defect", "Field", "Isoline", "Mesh", "Path", "Place", "Prepared", "Results", "Solver",
-    "__version__", "benchmark", "defects", "read_mesh", "run", "solvers", "verify",
+    "Certificate", "Defect", "Field", "Isoline", "LogMap", "Mesh", "Path", "Place", "Prepared", "Results", "Solver",
+    "StraightestLine", "__version__", "benchmark", "defects", "read_mesh", "run", "solvers", "verify",
 ]  # fmt: skip

@@ -48,6 +48,9 @@ class Field:
     def at(self, points: SurfacePoints) -> NDArray[np.float64]: ...
     def paths_to(self, points: SurfacePoints, required: bool) -> list[_Path | None]:
         """As `paths`."""
+    def file_bytes(self, file: str) -> bytes: ...
+    def log_map(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Returns the fields of lines.LogMap."""
 
 class SurfacePoints:
     """Points of a mesh's surface."""
@@ -131,6 +134,12 @@ def solve(
 MOST_LEVELS: int
 
 def equal_levels(distances: NDArray[np.float64], count: int) -> NDArray[np.float64]: ...
+def trace(
+    mesh: SharedMesh, begin: SurfacePoints, angle: float, length: float
+) -> tuple[bool, NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
+    """Returns whether the line ends at the boundary, and the fields of lines.Polyline."""
+def angle_of(mesh: SharedMesh, begin: SurfacePoints, vector: tuple[float, float, float]) -> float: ...
+def total_angle(mesh: SharedMesh, point: SurfacePoints) -> float: ...
 def isolines(
     mesh: SharedMesh, distances: NDArray[np.float64], levels: NDArray[np.float64]
 ) -> list[tuple[float, bool, NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]]:

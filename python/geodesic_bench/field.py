@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from functools import cached_property
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +13,7 @@ from numpy.typing import NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import surface_point
-from geodesic_bench.lines import Isoline, Path
+from geodesic_bench.lines import Isoline, LogMap, Path
 
 if TYPE_CHECKING:
     from geodesic_bench.mesh import Mesh, SurfacePoint, SurfacePoints
@@ -123,6 +125,34 @@ class Field:
             As in `Mesh.isolines`.
         """
         return self.mesh.isolines(self.distances, levels)
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes the mesh with its distances.
+
+        Parameters
+        ----------
+        file : path
+            .ply, binary, with the property `quality`, by which MeshLab colours; or .vtk, the binary legacy format of
+            ParaView and PyVista, with the point data `distance`. Unreachable vertices have inf.
+
+        Raises
+        ------
+        ValueError, OSError
+            For another suffix, and when the file cannot be written.
+        """
+        FilePath(file).write_bytes(self._solved.file_bytes(os.fspath(file)))
+
+    def log_map(self) -> LogMap:
+        """Returns polar coordinates of every vertex around its nearest source: the length of its shortest path, and
+        the angle at which that leaves the source. On planes and cones both are exact; beyond a saddle vertex, where
+        paths bend, all vertices of its shadow have the angle of the path to it. `Mesh.trace` goes back.
+
+        Raises
+        ------
+        ValueError
+            For the reasons of `path_to` and `Mesh.trace`.
+        """
+        return LogMap(*self._solved.log_map())
 
     def __repr__(self) -> str:
         return f"Field(of {self.mesh!r})"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,21 @@ class Path(Polyline):
 
 
 @dataclass(frozen=True, eq=False)
+class StraightestLine(Polyline):
+    """A line that goes straight on over the surface, from `Mesh.trace`.
+
+    Attributes
+    ----------
+    points, faces, travelled, length
+        As of a Path.
+    ends_at_boundary : bool
+        Whether it is shorter than it was to be, because it has reached the boundary.
+    """
+
+    ends_at_boundary: bool
+
+
+@dataclass(frozen=True, eq=False)
 class Isoline(Polyline):
     """A line on which the distance, interpolated linearly along the edges, is the level.
 
@@ -59,3 +75,14 @@ class Isoline(Polyline):
 
     level: float
     closed: bool
+
+
+class LogMap(NamedTuple):
+    """Polar coordinates of vertices around their nearest source, from `Field.log_map`."""
+
+    lengths: NDArray[np.float64]
+    """(n,): distances, inf where no path leads."""
+    angles: NDArray[np.float64]
+    """(n,): radians, counter-clockwise, measured on the surface, 0 at a source, nan where no path leads. In a face they
+    begin at the direction from its first corner to its second; at a vertex at the side of its face of least number, or
+    at the boundary, and go up to `Mesh.total_angle`."""

@@ -35,7 +35,7 @@ from geodesic_bench.arrays import (
 )
 from geodesic_bench.errors import UnknownArgument
 from geodesic_bench.field import Field
-from geodesic_bench.lines import Isoline, Path
+from geodesic_bench.lines import Isoline, LogMap, Path, StraightestLine
 from geodesic_bench.matrix_file import MatrixFile
 from geodesic_bench.other_packages import arrays_of, read_by_other_package
 from geodesic_bench.prepared import Prepared, loaded
@@ -421,6 +421,57 @@ class Mesh:
                 raise ValueError(f"levels must be their number, an integer, or a list, such as [0.5], not {levels!r}")
         lines = _native.isolines(self._shared, field, chosen)
         return [Isoline(points, faces, travelled, level, closed) for level, closed, points, faces, travelled in lines]
+
+    def trace(self, begin: SurfacePoint, direction: float | ArrayLike, length: float) -> StraightestLine:
+        """Goes straight on from a point, over the faces. At a vertex the line leaves the same angle on both sides
+        (Polthier and Schmies 1998).
+
+        Parameters
+        ----------
+        begin : one point
+            As in `distances`.
+        direction : number, or (3,) numbers
+            An angle in radians, counter-clockwise, measured on the surface: at a vertex from 0 to `total_angle`, as
+            `log_map` has it. Or a vector in space, which is projected to the face, at a vertex to the tangent plane.
+        length : number >= 0
+            Where the line ends, unless it reaches the boundary before.
+
+        Raises
+        ------
+        ValueError
+            For a vector across the surface or one that leads off it, a vertex without a face, a line through an end
+            of an edge without a length, and a mesh with `cross_non_manifold`, whose faces have no orientation.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> line = mesh.trace(0, [1, 1, 0], 1)
+        >>> line.points.round(3)[-1], line.ends_at_boundary
+        (array([0.707, 0.707, 0.   ]), False)
+        >>> mesh.trace(1, 0, 9).length          # along the edge where the angles at vertex 1 begin
+        5.0
+        """
+        at = self._points(begin, "begin", surface_point)
+        given = numbers(direction, "direction")
+        if given.shape not in ((), (3,)):
+            raise ValueError(f"a direction is an angle, or a vector of three numbers, not an array of shape {given.shape}")
+        if given.shape == (3,):
+            angle = _native.angle_of(self._shared, at, (given[0], given[1], given[2]))
+        else:
+            angle = float(given)
+        ends, points, faces, travelled = _native.trace(self._shared, at, angle, number(length, "length"))
+        return StraightestLine(points, faces, travelled, ends)
+
+    def total_angle(self, point: SurfacePoint) -> float:
+        """Returns the sum of the angles of the faces at a vertex, in radians; 2 pi at any other point."""
+        return _native.total_angle(self._shared, self._points(point, "point", surface_point))
+
+    def log_map(self, source: SurfacePoint, *, solver: str = FASTEST, **parameters: float | str) -> LogMap:
+        """Returns polar coordinates of every vertex around a source: `Field.log_map` of one solve.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.log_map(0).lengths, mesh.log_map(0).angles.round(3)
+        (array([0., 3., 4.]), array([0.   , 0.   , 1.571]))
+        """
+        return self.solve(source, solver=solver, **parameters).log_map()
 
     def pair_distances(
         self,

@@ -171,13 +171,12 @@ std::pair<SharedMeshPointer, std::vector<std::string>> read(
     } else {
       content = read_mesh_file(file);
     }
-    BuiltMesh built =
-        build_mesh(std::move(content), file.string(),
-                   {.repair = repair,
-                    .weld = weld_distance,
-                    .non_manifold_edges = edges,
-                    .repair_option = "repair=True",
-                    .weld_option = kWeldOption});
+    BuiltMesh built = build_mesh(std::move(content), file.string(),
+                                 {.repair = repair,
+                                  .weld = weld_distance,
+                                  .non_manifold_edges = edges,
+                                  .repair_option = "repair=True",
+                                  .weld_option = kWeldOption});
     return std::pair(
         std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh), edges),
         std::move(built.loaded.warnings));
@@ -390,30 +389,23 @@ py::list paths(const PoolPointer& pool, const SurfacePoints& sources, const Arra
   }));
 }
 
-/// A field with its mesh. It keeps no solver.
-struct SharedField {
-  std::shared_ptr<const Mesh> mesh;
-  Field field;
-};
-using FieldPointer = std::shared_ptr<const SharedField>;
+using FieldPointer = std::shared_ptr<const Field>;
 
 FieldPointer solve(const PoolPointer& pool, const SurfacePoints& sources,
                    const Array<double>& initial, double limit) {
   return in_background([=, query = query_of(sources, initial, {}, limit)](Task&) -> FieldPointer {
     const BorrowedSolver solver(pool);
-    return std::make_shared<SharedField>(
-        SharedField{pool->mesh(), solve_field(*solver, *pool->mesh(), query)});
+    return std::make_shared<Field>(solve_field(*solver, pool->mesh(), query));
   });
 }
 
 py::array_t<std::int64_t> nearest_sources(const FieldPointer& solved) {
-  return signed_indices(in_background([=](Task&) { return solved->field.nearest_sources(); }));
+  return signed_indices(in_background([=](Task&) { return solved->nearest_sources(); }));
 }
 
 py::array_t<double> distances_at(const FieldPointer& solved, const SurfacePoints& points) {
-  return array_of(in_background([=](Task& task) {
-    return solved->field.at(points.points, [&] { task.throw_if_abandoned(); });
-  }));
+  return array_of(in_background(
+      [=](Task& task) { return solved->at(points.points, [&] { task.throw_if_abandoned(); }); }));
 }
 
 /// As `paths`, from a field, without another solve.
@@ -422,10 +414,31 @@ py::list paths_to(const FieldPointer& solved, const SurfacePoints& points, bool 
     FoundPaths found;
     for (const SurfacePoint& point : points.points) {
       task.throw_if_abandoned();
-      found.push_back(required ? solved->field.path_to(point) : solved->field.find_path_to(point));
+      found.push_back(required ? solved->path_to(point) : solved->find_path_to(point));
     }
     return found;
   }));
+}
+
+/// @return lengths and angles, one for each vertex
+std::pair<py::array_t<double>, py::array_t<double>> log_map_of(const FieldPointer& solved) {
+  const std::vector<PolarCoordinates> map = in_background([=](Task&) { return solved->log_map(); });
+  std::vector<double> lengths, angles;
+  for (const auto& [length, angle] : map) {
+    lengths.push_back(length);
+    angles.push_back(angle);
+  }
+  return {array_of(std::move(lengths)), array_of(std::move(angles))};
+}
+
+/// @return whether the line ends at the boundary, and arrays_of its points
+py::tuple trace(const SharedMeshPointer& mesh, const SurfacePoints& begin, double angle,
+                double length) {
+  const StraightestLine line =
+      in_background([mesh = mesh->mesh(), at = begin.points.at(0), angle, length](Task&) {
+        return trace_straightest(*mesh, at, angle, length);
+      });
+  return py::make_tuple(line.ends_at_boundary) + arrays_of(line.points);
 }
 
 /// @return for each isoline its level, whether it is closed, and arrays_of its points
@@ -620,16 +633,20 @@ PYBIND11_MODULE(_native, module) {
       .def_property_readonly("solver", &SolverPool::solver, py::return_value_policy::reference)
       .def_property_readonly("certificate", &certificate);
 
-  py::class_<SharedField, std::shared_ptr<SharedField>>(module, "Field")
+  py::class_<Field, std::shared_ptr<Field>>(module, "Field")
       .def_property_readonly("distances",
                              [](const py::object& self) {
-                               const auto distances = self.cast<SharedField&>().field.distances();
+                               const auto distances = self.cast<Field&>().distances();
                                return read_only(distances.data(),
                                                 {static_cast<py::ssize_t>(distances.size())}, self);
                              })
       .def_property_readonly("nearest", &nearest_sources)
       .def("at", &distances_at)
-      .def("paths_to", &paths_to);
+      .def("paths_to", &paths_to)
+      .def("log_map", &log_map_of)
+      .def("file_bytes", [](const Field& self, const std::filesystem::path& file) {
+        return py::bytes(self.file_bytes(file));
+      });
 
   py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
     return self.points.size();
@@ -689,6 +706,14 @@ PYBIND11_MODULE(_native, module) {
     return array_of(equal_levels(values_of(distances), count));
   });
   module.def("isolines", &isolines);
+  module.def("trace", &trace);
+  module.def("angle_of",
+             [](const SharedMeshPointer& mesh, const SurfacePoints& begin, const Vec3& vector) {
+               return angle_of(*mesh->mesh(), begin.points.at(0), vector);
+             });
+  module.def("total_angle", [](const SharedMeshPointer& mesh, const SurfacePoints& point) {
+    return total_angle(*mesh->mesh(), point.points.at(0));
+  });
   module.def("pair_distances", &pair_distances);
   module.def("nearest_points", &nearest_points);
   define_matrices<double>(module);

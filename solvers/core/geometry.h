@@ -1,6 +1,10 @@
 // Points, vectors and triangles as plain data, from which meshes are built.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "geodesic-bench needs C++20: compile with -std=c++20"
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -113,6 +113,7 @@ void for_each_solve_counter(SomeCounters& counters, const Visit& visit) {
   visit("wavefront_sd", counters.wavefront_sd);
 }
 
+/// The counters of a recorded solve, and what else it records, by kind.
 struct Recording : SolveCounters {
   RecordingKind kind = RecordingKind::counters;  ///< set by the caller
   /// For RecordingKind::wavefront: shares of the reachable vertices at which snapshots are taken,

@@ -1,4 +1,4 @@
-// The points of a path while it is traced.
+// The points of a path or line while it is traced.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace geodesic {
 
-/// The points of a path from its end; `travelled` is the length from the previous one.
+/// The points from one end to the other; `travelled` is the length from the previous one.
 class PathPoints {
  public:
   explicit PathPoints(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// Adds the next point towards the source, unless it equals the last point.
+  /// Adds the next point, unless it equals the last point.
   /// @param face shared with the previous point
   void add(const InternalPoint& image, Index face, double step) {
     const InternalPoint own = in_given_face(mesh_, image);
@@ -56,7 +56,16 @@ class PathPoints {
     last_ = mark.last;
   }
 
-  /// Returns the whole path, from its source.
+  /// Returns the points of a line that was traced from its begin.
+  std::vector<PathPoint> from_begin() {
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      points_[i - 1].face = std::exchange(points_[i].face, kNone);
+      points_[i].travelled += points_[i - 1].travelled;
+    }
+    return std::move(points_);
+  }
+
+  /// Returns the path that was traced from its end, from its source.
   Path from_source(Index source) {
     std::ranges::reverse(points_);
     double travelled = 0;

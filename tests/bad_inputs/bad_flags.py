@@ -53,7 +53,7 @@ CASES = [
     flag("geodesic-bench mesh --weld 9 hill.obj", "every face collapses when vertices are joined"),
     *(of("solve", f"hill.obj --pairs p {other}", "--pairs", "excludes", other.split()[0])
       for other in ("--source 0", "--sources-file s", "--target 1", "--targets-file t", "--stop-at-targets", "--limit 1",
-                    "--nearest-source", "--paths p.obj", "--each", "--check", "--counters")),
+                    "--nearest-source", "--angles", "--paths p.obj", "--each", "--check", "--counters")),
     of("solve", "hill.obj --source 0 --prepared p --solver mmp", "--solver excludes --prepared"),
     flag("geodesic-bench solve hill.obj --source 0 --solver mmp --save-prepared p",
          "mmp has no preparation that could be saved", "straight-graph"),
@@ -77,6 +77,15 @@ CASES = [
     flag(f"{SOLVE} --output d.dat", "cannot write 'd.dat'", ".txt, .csv or .npy"),
     flag(f"{SOLVE} --output nowhere/d.txt", "cannot write 'nowhere/d.txt'", "No such file"),
     flag(f"{SOLVE} --output .", "cannot write '.': it is a folder"),
+    flag(f"{SOLVE} --output d.ply --each", "'d.ply' is a mesh with the distances of one query"),
+    # trace
+    of("trace", "hill.obj --length 1", "--from is required"),
+    flag("geodesic-bench trace hill.obj --from 0 --length 1", "one of --direction and --angle is needed"),
+    flag("geodesic-bench trace hill.obj --from 0,1 --length 1 --angle 0", "--from takes one point"),
+    flag("geodesic-bench trace hill.obj --from 99 --length 1 --angle 0", "--from 99: vertex 99 is not in the mesh"),
+    flag("geodesic-bench trace hill.obj --from 0 --length=-1 --angle 0", "the length of a line must be from 0 to"),
+    flag("geodesic-bench trace hill.obj --from 0 --length 1 --direction 0,0,0", "a direction must be finite and not 0"),
+    flag("geodesic-bench trace hill.obj --from 0 --length 1 --angle 0 -o l.stl", "l.stl"),
     # list, mesh, generate
     of("list", "more", "list: unexpected 'more'"),
     flag("geodesic-bench list --corpus quik", "no corpus named 'quik' (did you mean 'quick'?)"),

@@ -13,7 +13,7 @@ VERTICES = "element vertex {}\nproperty float x\nproperty float y\nproperty floa
 FACES = "element face {}\nproperty list uchar int vertex_indices\nend_header\n"
 CORNERS = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 BILLIONS = 4_000_000_000
-MEANINGLESS = ["distances would be meaningless", "correct the file or use --repair"]
+MEANINGLESS = ["distances would be meaningless", "correct the mesh or use --repair"]
 WHOLE_COPY = "get a whole copy"
 UNKNOWN = ["wrong format", "the content is not OBJ, OFF, PLY or STL", "convert it to one of these"]
 

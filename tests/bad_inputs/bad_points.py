@@ -55,7 +55,7 @@ CASES = [
     target("--paths p.obj", "--paths needs --target"),
     target("--paths p.stl --target 1", "p.stl", "paths and isolines are written as .json, .obj or .ply"),
     target("--paths hill.obj --target 1", "--paths 'hill.obj' is the mesh itself"),
-    target("--paths p.obj --target 1 --each", "--paths and --nearest-source are for one solve"),
+    target("--paths p.obj --target 1 --each", "--paths, --nearest-source and --angles are for one solve"),
     target("--isolines i.obj", "--isolines and --levels need each other"),
     target("--levels 3", "--isolines and --levels need each other"),
     target("--isolines i.stl --levels 3", "i.stl", "paths and isolines are written as .json, .obj or .ply"),
@@ -66,6 +66,7 @@ CASES = [
              " 10000, nor distances above 0, such as 0.5 or 1,2.5")
       for levels in ("0", "10001", "99999999999", "-1", "0.0", "nan", "inf", "1,", ",1", "1,,2", "1,x", "1e999")),
     target("--nearest-source", "--nearest-source needs --output"),
+    target("--angles", "--angles needs --output"),
     target("--target 1 --stop-at-targets --check", "--check is for distances without --limit and"),
     Case("paths of a solver that remembers none",
          "geodesic-bench solve hill.obj --solver virtual-source --source 0 --target 1 --paths p.obj",

@@ -15,6 +15,7 @@
 
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/row_solver.h"
+#include "tests/message_of.h"
 
 namespace geodesic {
 namespace {
@@ -58,6 +59,19 @@ TEST(SurfaceMesh, has_the_numbers_of_its_file_while_solvers_have_their_own) {
     elsewhere += of_solvers.position(v) != kSphere.positions[v];
   }
   EXPECT_GT(elsewhere, 0);
+}
+
+TEST(SurfaceMesh, of_triangles_is_checked_as_that_of_a_file) {
+  const TriangleSoup three_faces{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
+                                 {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}};
+  const std::string why = "1 non-manifold edge";
+  EXPECT_NE(message_of<MeshError>([&] {
+              SurfaceMesh(three_faces.positions, three_faces.triangles);
+            }).find("the triangles: distances would be meaningless: " + why),
+            std::string::npos);
+  EXPECT_EQ(SurfaceMesh(three_faces, {.repair = true}).face_count(), 3u);
+  const SurfaceMesh crossed(three_faces, {.non_manifold_edges = NonManifoldEdges::crossed});
+  EXPECT_NEAR(DistanceSolver(crossed).from({2})[3], 2, 1e-12);
 }
 
 TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_numbering) {
@@ -125,8 +139,9 @@ static_assert(kLendsOutgoing<const Mesh&> && !kLendsOutgoing<Mesh> && !kLendsOut
 static_assert(!std::is_reference_v<decltype(std::declval<SurfaceMesh>().position(0))>);
 template <class From>
 constexpr bool kSolvesOn = std::is_constructible_v<DistanceSolver, From>;
-static_assert(kSolvesOn<const SurfaceMesh&> && !kSolvesOn<SurfaceMesh> &&
-              !kSolvesOn<const SurfaceMesh>);
+static_assert(kSolvesOn<const SurfaceMesh&> && kSolvesOn<SurfaceMesh>);  // shares the mesh
+static_assert(std::is_nothrow_move_constructible_v<DistanceSolver> &&
+              std::is_nothrow_move_assignable_v<DistanceSolver>);
 static_assert(kSolvesOn<const Mesh&> && !kSolvesOn<Mesh> && !kSolvesOn<const Mesh>);
 
 TEST(Field, has_the_numbers_of_the_file) {
@@ -219,6 +234,33 @@ TEST(Field, outlives_its_solver_and_is_copied) {
   field = DistanceSolver(mesh).from({1});
   EXPECT_EQ(copy[0], 0);
   EXPECT_EQ(field[1], 0);
+}
+
+struct MeshAndSolver {
+  SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver{mesh};
+};
+
+TEST(DistanceSolver, is_moved_with_its_mesh) {
+  MeshAndSolver first;
+  const std::vector<double> expected = all(first.solver.from({5}));
+  MeshAndSolver moved = std::move(first);
+  EXPECT_EQ(all(moved.solver.from({5})), expected);
+  moved = MeshAndSolver();
+  EXPECT_EQ(all(moved.solver.from({5})), expected);
+}
+
+TEST(Field, outlives_its_mesh) {
+  for (const char* solver : {"edge-based", "dijkstra"}) {
+    const Field field = [&] {
+      const SurfaceMesh mesh = read_sphere();
+      return DistanceSolver(mesh, solver).from({0});
+    }();
+    const SurfaceMesh mesh = read_sphere();
+    const SurfacePoint point = point_in_face(mesh, 7, {.2, .3, .5});
+    EXPECT_EQ(field.at(point), DistanceSolver(mesh, solver).from({0}).at(point)) << solver;
+    EXPECT_FALSE(field.isolines(field.levels(3)).empty());
+  }
 }
 
 TEST(Field, has_no_paths_beyond_the_limit) {

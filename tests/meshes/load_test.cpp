@@ -28,7 +28,7 @@ TEST_F(Load, RefusesErrorsWithTheFileTheFirstExampleAndTheWayOut) {
   EXPECT_EQ(message_of<MeshError>([&] { load_mesh(path); }),
             path.string() +
                 ": distances would be meaningless: 1 edge between inconsistently oriented faces "
-                "(first: edge 0-2 of face 0 (line 5), face 1 (line 6)); correct the file or use "
+                "(first: edge 0-2 of face 0 (line 5), face 1 (line 6)); correct the mesh or use "
                 "--repair");
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "geodesic/geodesic.h"
+#include "meshes/nearest_point.h"
 #include "meshes/oracles/brute_force.h"
 #include "meshes/oracles/random_meshes.h"
 #include "solvers/core/prepared_file.h"
@@ -144,7 +145,8 @@ TEST(Weld, two_plates_that_share_an_edge_of_doubled_vertices_are_one_plane) {
 
 TEST(Weld, both_names_of_a_vertex_give_the_same_answers_of_every_kind) {
   const Cut plates = two_plates();
-  const SurfaceMesh mesh(plates.cut, 0), whole(plates.whole.positions, plates.whole.triangles);
+  const SurfaceMesh mesh(plates.cut, {.weld = 0}),
+      whole(plates.whole.positions, plates.whole.triangles);
   const Index copy = mesh.vertex_count() - 1, original = plates.original[copy];
   const SurfacePoint inside = point_in_face(mesh, 71, {0.2, 0.3, 0.5});
   const std::vector<double> ends = {norm(subtract(position_of(mesh, inside), mesh.position(copy)))};
@@ -180,7 +182,7 @@ TEST(Weld, both_names_of_a_vertex_give_the_same_answers_of_every_kind) {
 }
 
 TEST(Weld, a_preparation_of_a_welded_mesh_is_read_again) {
-  const SurfaceMesh mesh(two_plates().cut, 0);
+  const SurfaceMesh mesh(two_plates().cut, {.weld = 0});
   const auto solver = make_solver("straight-graph", mesh);
   std::stringstream file;
   save_prepared(*solver, file);
@@ -194,7 +196,7 @@ TEST(Weld, a_preparation_of_a_welded_mesh_is_read_again) {
 
 TEST(Weld, a_globe_with_a_doubled_meridian_and_poles_is_the_closed_globe) {
   const Cut given = globe(12, 7);
-  const SurfaceMesh mesh(given.cut, 0);
+  const SurfaceMesh mesh(given.cut, {.weld = 0});
   const Mesh whole(given.whole);
   EXPECT_EQ(mesh.soup().left_out.size(), given.cut.triangles.size());
   for (Index source = 0; source < mesh.vertex_count(); source += 13) {
@@ -211,7 +213,7 @@ TEST(Weld, a_globe_with_a_doubled_meridian_and_poles_is_the_closed_globe) {
 
 TEST(Weld, faces_keep_the_numbers_of_the_input_and_one_that_collapsed_has_no_points) {
   const Cut given = globe(12, 7);
-  const SurfaceMesh mesh(given.cut, 0);
+  const SurfaceMesh mesh(given.cut, {.weld = 0});
   EXPECT_EQ(mesh.face_count(), given.cut.triangles.size());
   const TriangleSoup soup = mesh.soup();
   std::size_t left_out = 0;
@@ -271,7 +273,7 @@ TEST(Weld, a_soup_of_triangles_in_floats_is_the_surface_within_a_distance) {
     }
     exploded.cut.triangles.push_back(corners);
   }
-  const SurfaceMesh mesh(exploded.cut, 1e-5);
+  const SurfaceMesh mesh(exploded.cut, {.weld = 1e-5});
   const Mesh rounded(first, whole.triangles);
   for (const Index source : {0u, 100u, 500u}) {
     const Query query{.sources = {{exploded.original[source]}}};

@@ -43,3 +43,22 @@ def test_the_program_is_configured_without_what_only_tests_need(configured: Conf
 def test_tests_change_no_compile_command_of_the_program(configured: Configured) -> None:
     assert configured.program < configured.with_tests
     assert configured.with_tests - configured.program == of_tests(configured.with_tests)
+
+
+def test_as_a_part_of_another_project_the_library_alone_is_configured(tmp_path: Path) -> None:
+    own = tmp_path / "own"
+    own.mkdir()
+    (own / "own.cpp").write_text("#include <geodesic/geodesic.h>\nint main() {}\n")
+    (own / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(Own LANGUAGES CXX)\n"
+        f'add_subdirectory("{ROOT}" geodesic-bench)\nadd_executable(own own.cpp)\n'
+        "target_link_libraries(own PRIVATE GeodesicBench::meshes)\n"
+    )
+    build = tmp_path / "build"
+    cmake("-S", own, "-B", build, "-G", "Ninja", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+    listed = json.loads((build / "compile_commands.json").read_text())
+    files = {Path(each["file"]).relative_to(ROOT).parts[0] for each in listed if str(ROOT) in each["file"]}
+    assert {"solvers"} <= files <= {"solvers", "meshes", "geodesic"}
+    assert not [each for each in listed if re.search("/solvers/(variants|cgal)/", each["file"])]
+    cache = (build / "CMakeCache.txt").read_text()
+    assert not re.findall(r"(?im)^\w*(?:cgal|gtest|mpfi|pybind11|doxygen|benchmark)_\w*:.*", cache)

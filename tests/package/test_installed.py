@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
@@ -100,6 +101,25 @@ def test_library_computes_distances(library: Path, cube: Path) -> None:
     assert re.match(r"vertex 6 is the farthest: 2\.23606797749978\d+, by", ended.stderr)
     distances = [float(line) for line in ended.stdout.splitlines()]
     assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
+
+
+def test_library_is_found_by_pkg_config(installed: Installed, tmp_path: Path, cube: Path) -> None:
+    (file,) = installed.prefix.rglob("geodesic-bench.pc")
+    found = subprocess.run(
+        ["pkg-config", "--cflags", "--libs", "geodesic-bench"], capture_output=True, text=True, check=True,
+        env=os.environ | {"PKG_CONFIG_PATH": str(file.parent)},
+    )  # fmt: skip
+    flags = shlex.split(found.stdout)
+    compiler = [installed.built["CMAKE_CXX_COMPILER"], "-std=c++20", *installed.built["CMAKE_CXX_FLAGS"].split()]
+    source = ROOT / "examples" / "library" / "distances.cpp"
+    library = f"-Wl,-rpath,{file.parent.parent}"
+    subprocess.run([*compiler, source, "-o", tmp_path / "distances", *flags, library], check=True)
+    ended = subprocess.run([tmp_path / "distances", cube], capture_output=True, text=True, check=True)
+    assert ended.stderr.startswith("vertex 6 is the farthest")
+    older = subprocess.run(
+        [compiler[0], "-std=c++17", "-fsyntax-only", *flags, source], capture_output=True, text=True, check=False
+    )
+    assert "geodesic-bench needs C++20" in older.stderr
 
 
 def test_library_reads_meshes_and_solves_in_threads(

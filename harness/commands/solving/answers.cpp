@@ -22,6 +22,7 @@
 #include "meshes/row_solver.h"
 #include "solvers/core/prepared_file.h"
 #include "solvers/paths/paths.h"
+#include "solvers/paths/straightest.h"
 
 namespace geodesic::harness {
 namespace {
@@ -243,7 +244,13 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
   if (outputs.distances) {
     std::vector<Index> nearest;
     if (problem.flags.nearest_source) nearest = solved.paths->nearest_sources();
-    outputs.distances->write(solved.distances, nearest);
+    std::vector<double> angles;
+    if (problem.flags.angles) {
+      for (const PolarCoordinates& at : log_map(problem.mesh, *solved.paths)) {
+        angles.push_back(at.angle);
+      }
+    }
+    outputs.distances->write(problem.mesh, solved.distances, {nearest, angles});
   }
   if (outputs.paths) write_paths(problem, solved, *outputs.paths);
   Json json = Json::object();
@@ -315,7 +322,7 @@ Json solve_pairs(const Problem& problem, Outputs& outputs) {
                {"process_peak_bytes", peak_resident_bytes()},
                {"unreachable_pairs", std::ranges::count(distances, kInfinity)}});
   if (outputs.distances) {
-    outputs.distances->write(distances, {}, "pair");
+    outputs.distances->write_pairs(distances);
     return json;
   }
   for (std::size_t i = 0; i < distances.size(); ++i) {

@@ -8,15 +8,23 @@
 #include <string>
 
 #include "harness/base/files.h"
-#include "solvers/core/geometry.h"
+#include "solvers/core/mesh.h"
 
 namespace geodesic::harness {
 
+/// Further numbers of each vertex, as many as there are distances; those that are not wanted are
+/// empty.
+struct VertexColumns {
+  std::span<const Index> sources = {};  ///< kNone (written as -1) where no path leads
+  std::span<const double> angles = {};  ///< PolarCoordinates (solvers/paths/straightest.h)
+};
+
 /// Distances from the nearest of some sources:
 ///
-///   .txt  one distance a line; with sources, then a space and the number of the source
-///   .csv  a header line, then vertex, distance and, with sources, source
-///   .npy  an array of float64, one entry a vertex; with sources, a table of distance and source
+///   .txt  one distance a line; then, after a space each, the source and the angle if wanted
+///   .csv  a header line, then vertex, distance and, if wanted, source and angle
+///   .npy  an array of float64, one entry a vertex; with further columns, a table of all
+///   .ply, .vtk  the mesh with its distances and sources (meshes/field_file.h)
 ///
 /// Distances of pairs, without sources, are written as those of vertices, with a column pair in
 /// place of vertex.
@@ -36,10 +44,12 @@ class DistanceFile {
   /// @throws CannotWrite for the reasons of AtomicFile
   explicit DistanceFile(const std::string& file);
 
-  /// @param sources one for each vertex, kNone (written as -1) where no path leads; may be empty
-  /// @param numbered what has the distances, "vertex" or "pair"
-  void write(std::span<const double> distances, std::span<const Index> sources = {},
-             const std::string& numbered = "vertex");
+  /// Whether it is a mesh, which has the distances of one query.
+  bool is_mesh() const { return format_ == Format::mesh; }
+
+  /// @param more without angles for a mesh
+  void write(const Mesh& mesh, std::span<const double> distances, const VertexColumns& more);
+  void write_pairs(std::span<const double> distances) { write_table(distances, {}, "pair"); }
 
   /// Begins the rows of several sources.
   void begin_rows(std::size_t sources, std::size_t vertices);
@@ -52,9 +62,12 @@ class DistanceFile {
   void commit();
 
  private:
-  enum class Format : unsigned char { text, csv, npy };
+  enum class Format : unsigned char { text, csv, npy, mesh };
   static Format format_of(const std::string& file);
+  void write_table(std::span<const double> distances, const VertexColumns& more,
+                   const std::string& numbered);
 
+  std::string name_;
   Format format_;
   std::optional<AtomicFile> file_;  // empty for standard output
   std::ostream* to_;

@@ -73,19 +73,19 @@ void check_abilities(const SolveFlags& flags, unsigned threads, const Descriptio
   const bool from_vertices = are_vertices({query.sources});
   const auto can = [&](const Abilities& abilities) {
     return (abilities.paths && (abilities.surface_sources || from_vertices)) ||
-           (abilities.traces && are_vertices(query) && !flags.nearest_source);
+           (abilities.traces && are_vertices(query) && !flags.nearest_source && !flags.angles);
   };
   if (can(solver.abilities)) return;
   std::vector<std::string> others;
   for (const Description* other : registered_solvers()) {
     if (can(other->abilities) && !other->by_name_only) others.push_back(other->name);
   }
-  if (solver.abilities.traces && !flags.nearest_source) {
+  if (solver.abilities.traces && !flags.nearest_source && !flags.angles) {
     throw HarnessError(solver.name +
                        " traces paths between vertices only; there are: " + join(others));
   }
-  throw HarnessError(solver.name + " does not remember how paths arrive, which --paths and " +
-                     "--nearest-source need; there are: " + join(others));
+  throw HarnessError(solver.name + " does not remember how paths arrive, which --paths, " +
+                     "--nearest-source and --angles need; there are: " + join(others));
 }
 
 // Whether several threads can work on one source.
@@ -121,7 +121,9 @@ ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
 
 }  // namespace
 
-bool wants_paths(const SolveFlags& flags) { return flags.nearest_source || !flags.paths.empty(); }
+bool wants_paths(const SolveFlags& flags) {
+  return flags.nearest_source || flags.angles || !flags.paths.empty();
+}
 
 void check_combination(const SolveFlags& flags) {
   const auto refuse = [](const std::string& why) { throw HarnessError(why); };
@@ -139,7 +141,7 @@ void check_combination(const SolveFlags& flags) {
   }
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
-    refuse("--paths and --nearest-source are for one solve: leave out --each");
+    refuse("--paths, --nearest-source and --angles are for one solve: leave out --each");
   }
   if (flags.each && !flags.isolines.empty())
     refuse("--isolines is for one solve: leave out --each");
@@ -158,8 +160,10 @@ void check_combination(const SolveFlags& flags) {
   }
   if (flags.stop_at_targets && !targets) refuse("--stop-at-targets needs --target");
   if (!flags.paths.empty() && !targets) refuse("--paths needs --target, where the paths lead");
-  if (flags.nearest_source && flags.output.empty() && flags.output_folder.empty()) {
-    refuse("--nearest-source needs --output: it is a column of that file");
+  if ((flags.nearest_source || flags.angles) && flags.output.empty() &&
+      flags.output_folder.empty()) {
+    refuse(std::string(flags.angles ? "--angles" : "--nearest-source") +
+           " needs --output: it is a column of that file");
   }
 }
 

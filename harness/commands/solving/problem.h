@@ -23,7 +23,7 @@ struct SolveFlags {
       levels;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
-  bool stop_at_targets = false, nearest_source = false;
+  bool stop_at_targets = false, nearest_source = false, angles = false;
   std::optional<double> weld;
   unsigned threads = 1;
   double limit = kInfinity;
