@@ -5,6 +5,7 @@
 //   const Field field = solver.from({0, point_in_face(mesh, 7, {.2, .3, .5})});
 //   const double distance = field[12];
 //   const Path path = field.path_to(point_on_edge(mesh, 3, 7, .25));
+//   const Path loop = solver.path_through({0, 12, 40}, {.closed = true, .straighten = true});
 //   const std::vector<double> of_pairs = pair_distances(mesh, pairs);   // a vector of PointPair
 //
 // All vertex and face numbers are those of the file. Distances have its unit of length.
@@ -31,6 +32,7 @@
 #include "meshes/weld.h"
 #include "solvers/paths/paths.h"
 #include "solvers/paths/straightest.h"
+#include "solvers/paths/through.h"
 
 namespace geodesic {
 
@@ -175,6 +177,19 @@ class DistanceSolver {
     Query query{.sources = {}, .limit = options.limit};
     for (const auto& source : sources) query.sources.push_back(source_at(source));
     return solve_field(solver_, mesh_, std::move(query));
+  }
+
+  /// The shortest paths between successive points, joined, or the locally shortest curve in their
+  /// class: solvers/paths/through.h.
+  /// @throws std::invalid_argument for the reasons named there, and when the solver does not
+  /// remember
+  ///         paths
+  Path path_through(std::initializer_list<SurfacePoint> points,
+                    const ThroughOptions& options = {}) {
+    return path_through(std::span(points.begin(), points.size()), options);
+  }
+  Path path_through(std::span<const SurfacePoint> points, const ThroughOptions& options = {}) {
+    return geodesic::path_through(solver_.solver(), *mesh_, points, options);
   }
 
  private:

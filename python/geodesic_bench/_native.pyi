@@ -131,6 +131,10 @@ def paths(
 def solve(
     pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64], limit: float
 ) -> Field: ...
+def path_through(
+    pool: SolverPool, points: SurfacePoints, closed: bool, straighten: bool
+) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
+    """Returns the fields of lines.Polyline."""
 MOST_LEVELS: int
 
 def equal_levels(distances: NDArray[np.float64], count: int) -> NDArray[np.float64]: ...

@@ -38,7 +38,7 @@ class Path(Polyline):
     length : float
         Its whole length. The distance of its end is larger by the initial distance of its source, if any.
     source : int
-        Index of its source among the sources: the nearest of them.
+        Index of its source among the sources: the nearest of them. 0 of a path through several points.
     """
 
     source: int

@@ -379,6 +379,49 @@ class Mesh:
         pool = self._pool(solver, parameters, self.paths)
         return [path and Path(*path) for path in _native.paths(pool, *begins, ends, False)]
 
+    def path_through(
+        self,
+        points: SurfacePoints,
+        *,
+        closed: bool = False,
+        straighten: bool = False,
+        solver: str | Prepared = FASTEST,
+        **parameters: float | str,
+    ) -> Path:
+        """Returns the shortest paths between successive points, joined, with one solve a piece.
+
+        Parameters
+        ----------
+        points : (k,) integers, or k points
+            At least two, as in `distances`; they may repeat.
+        closed : bool
+            Whether the last point is joined to the first one. The last point of the path is then its first
+            one again.
+        straighten : bool
+            Whether to return the locally shortest curve in the class of the joined paths: what they become
+            when they are pulled tight over the surface, which a boundary stops. The first and the last point
+            stay in place unless the path is closed; it need not pass the others. At vertices the angle on
+            both sides is at least pi, or one of the sides is off the surface.
+        solver : str or Prepared
+        parameters
+            As in `path`.
+
+        Raises
+        ------
+        ValueError
+            If no path leads to one of the points, a closed path shrinks to a point when it is straightened,
+            or one is to be straightened on a mesh whose paths cross non-manifold edges.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [3, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> mesh.path_through([0, 1, 2]).length, mesh.path_through([0, 1, 2], closed=True).length
+        (7.0, 12.0)
+        >>> mesh.path_through([0, 1, 2], straighten=True).length
+        5.0
+        """
+        through = self._points(points, "point")
+        pool = self._pool(solver, parameters, self.path_through)
+        return Path(*_native.path_through(pool, through, bool(closed), bool(straighten)), 0)
+
     def isolines(self, distances: ArrayLike, levels: int | Sequence[float] | NDArray[Any]) -> list[Isoline]:
         """Returns the lines of equal distance, ordered by level, then by their face of least number.
 
@@ -464,14 +507,21 @@ class Mesh:
         """Returns the sum of the angles of the faces at a vertex, in radians; 2 pi at any other point."""
         return _native.total_angle(self._shared, self._points(point, "point", surface_point))
 
-    def log_map(self, source: SurfacePoint, *, solver: str = FASTEST, **parameters: float | str) -> LogMap:
+    def log_map(self, source: SurfacePoint, **options: Any) -> LogMap:
         """Returns polar coordinates of every vertex around a source: `Field.log_map` of one solve.
+
+        Parameters
+        ----------
+        source : one point
+            As in `distances`.
+        options
+            As in `solve`.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.log_map(0).lengths, mesh.log_map(0).angles.round(3)
         (array([0., 3., 4.]), array([0.   , 0.   , 1.571]))
         """
-        return self.solve(source, solver=solver, **parameters).log_map()
+        return self.solve(source, **options).log_map()
 
     def pair_distances(
         self,

@@ -43,6 +43,7 @@
 #include "solvers/core/prepared_file.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/paths.h"
+#include "solvers/paths/through.h"
 
 namespace geodesic::python {
 namespace {
@@ -441,6 +442,16 @@ py::tuple trace(const SharedMeshPointer& mesh, const SurfacePoints& begin, doubl
   return py::make_tuple(line.ends_at_boundary) + arrays_of(line.points);
 }
 
+/// @return arrays_of its points
+py::tuple path_through(const PoolPointer& pool, const SurfacePoints& points, bool closed,
+                       bool straighten) {
+  const Path path = in_background([=](Task&) {
+    return geodesic::path_through(BorrowedSolver(pool)->solver(), *pool->mesh(), points.points,
+                                  {.closed = closed, .straighten = straighten});
+  });
+  return arrays_of(path.points);
+}
+
 /// @return for each isoline its level, whether it is closed, and arrays_of its points
 py::list isolines(const SharedMeshPointer& mesh, const Array<double>& distances,
                   const Array<double>& levels) {
@@ -701,6 +712,7 @@ PYBIND11_MODULE(_native, module) {
   module.def("targets_and_nearest", &targets_and_nearest);
   module.def("solve", &solve);
   module.def("paths", &paths);
+  module.def("path_through", &path_through);
   module.attr("MOST_LEVELS") = kMostLevels;
   module.def("equal_levels", [](const Array<double>& distances, Index count) {
     return array_of(equal_levels(values_of(distances), count));

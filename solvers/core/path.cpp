@@ -28,8 +28,17 @@ Index face_of(const Mesh& mesh, const InternalPoint& a, const InternalPoint& b) 
 
 }  // namespace
 
-Path path_through(const Mesh& mesh, const InternalQuery& query,
-                  std::span<const InternalPoint> points) {
+void append(Path& path, const Path& next) {
+  const double before = path.length();
+  path.points.back().face = next.points.front().face;
+  for (std::size_t i = 1; i < next.points.size(); ++i) {
+    path.points.push_back(next.points[i]);
+    path.points.back().travelled += before;
+  }
+}
+
+Path path_of_points(const Mesh& mesh, const InternalQuery& query,
+                    std::span<const InternalPoint> points) {
   const auto source = std::ranges::find(query.sources, points.front(), &InternalSource::at);
   Path path{.source = static_cast<Index>(source - query.sources.begin()), .points = {}};
   for (std::size_t i = 0; i < points.size(); ++i) {

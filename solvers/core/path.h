@@ -29,9 +29,12 @@ struct Path {
   double length() const { return points.back().travelled; }
 };
 
+/// Continues a path by another one, which begins in its end.
+void append(Path& path, const Path& next);
+
 /// Returns the path that is straight between successive points.
 /// @param points at least one; the first one is a source of the query
-Path path_through(const Mesh& mesh, const InternalQuery& query,
-                  std::span<const InternalPoint> points);
+Path path_of_points(const Mesh& mesh, const InternalQuery& query,
+                    std::span<const InternalPoint> points);
 
 }  // namespace geodesic

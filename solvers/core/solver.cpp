@@ -143,9 +143,9 @@ Path Solver::trace(const Query& query, std::span<const double> distances, Index 
   }
   const bool renumbered = !mesh_.numbers().is_identity();
   const InternalQuery own = in_internal_numbers(mesh_, query);
-  return path_through(mesh_, own,
-                      trace_path(own, renumbered ? in_mesh_order_ : distances,
-                                 mesh_.numbers().internal_vertex(vertex)));
+  return path_of_points(mesh_, own,
+                        trace_path(own, renumbered ? in_mesh_order_ : distances,
+                                   mesh_.numbers().internal_vertex(vertex)));
 }
 
 std::vector<InternalPoint> Solver::trace_path(const InternalQuery& /*query*/,

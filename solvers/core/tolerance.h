@@ -143,6 +143,21 @@ inline constexpr double kPathSearch = 1e-12;
 /// about this. With more the search takes longer, in proportion to the square root.
 inline constexpr double kPathSearchOfBounds = 1e-4;
 
+/// A straightened curve (straighten.h) is moved over a vertex where the angle on one side is less
+/// than pi by more than this, in radians: far more than the rounding of a vertex's total angle.
+inline constexpr double kStraightenAngle = 1e-12;
+
+/// The same, where a line next to the vertex is short: the vertex lies off the straight line by
+/// more than this, relative to the lengths of both lines. Well above kPathThrough.
+inline constexpr double kStraightenOffset = 2e-13;
+
+/// The same, relative to the length of the curve, by whose rounding the vertex may be off.
+inline constexpr double kStraightenRounding = 1e-14;
+
+/// A closed sleeve is straight when its ends, laid out in the plane, are turned by less than this,
+/// in radians: rounding over a thousand faces.
+inline constexpr double kStraightSleeve = 1e-12;
+
 /// A source was misplaced when its own solver gives it a distance above this, in edge lengths.
 inline constexpr double kElsewhere = 1e-12;
 

@@ -178,6 +178,16 @@ TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
   }
 }
 
+TEST(DistanceSolver, joins_the_paths_through_points) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const double there = solver.from({3}).at(40), back = solver.from({40}).at(3);
+  EXPECT_NEAR(solver.path_through({3, 40}).length(), there, 1e-12 * there);
+  EXPECT_NEAR(solver.path_through({3, 40}, {.closed = true}).length(), there + back, 1e-12 * there);
+  EXPECT_THROW(solver.path_through({3, 40}, {.closed = true, .straighten = true}),
+               std::invalid_argument);
+}
+
 TEST(Field, has_isolines_that_close_on_a_closed_surface) {
   const SurfaceMesh mesh = read_sphere();
   for (const char* solver : {"edge-based", "dijkstra"}) {

@@ -56,3 +56,40 @@ def test_paths_by_one_solve_are_those_of_a_solve_each(mesh: Any) -> None:
         np.testing.assert_array_equal(path.faces, alone.faces)
     assert mesh.paths(5, []) == []
     assert len(mesh.paths(5, 7)) == 1
+
+
+def tube(sides: int, radii: list[float]) -> Any:
+    """A mesh whose rings are regular polygons of these radii, one unit apart."""
+    ring, side = np.divmod(np.arange(sides * len(radii)), sides)
+    turn = 2 * np.pi * side / sides
+    radius = np.array(radii)[ring]
+    vertices = np.stack([radius * np.cos(turn), radius * np.sin(turn), ring], axis=1)
+    a = np.arange(sides * (len(radii) - 1))
+    b = a - a % sides + (a + 1) % sides
+    faces = np.concatenate([np.stack([a, b, b + sides], axis=1), np.stack([a, b + sides, a + sides], axis=1)])
+    return gb.Mesh(vertices, faces)
+
+
+def test_a_path_through_points_is_as_long_as_the_paths_between_them(mesh: Any) -> None:
+    points = [5, (200, (0.5, 0.5, 0)), 77, 77, (20, (0.2, 0.3, 0.5)), 143]
+    pieces = [mesh.path(a, b).length for a, b in zip(points, points[1:], strict=False)]
+    path = mesh.path_through(points)
+    assert path.length == pytest.approx(sum(pieces), rel=1e-12)
+    assert path.points.shape == (len(path.faces) + 1, 3)
+    closed = mesh.path_through(points, closed=True)
+    assert closed.length == pytest.approx(sum(pieces) + mesh.path(143, 5).length, rel=1e-12)
+    np.testing.assert_array_equal(closed.points[0], closed.points[-1])
+    straight = mesh.path_through(points, straighten=True)
+    assert mesh.path(5, 143).length * (1 - 1e-12) <= straight.length < path.length
+    np.testing.assert_array_equal(straight.points[[0, -1]], mesh.vertices[[5, 143]])
+
+
+def test_a_loop_around_a_tube_becomes_the_polygon_at_its_waist() -> None:
+    waist = tube(9, [2.0, 1.5, 1.0, 1.5, 2.0])
+    loop = waist.path_through([0, 3, 15], closed=True, straighten=True)
+    assert loop.length == pytest.approx(18 * np.sin(np.pi / 9), rel=1e-12)
+    np.testing.assert_array_equal(loop.points[0], loop.points[-1])
+    with pytest.raises(ValueError, match="^the loop shrinks to a point: it can be contracted on this surface$"):
+        waist.path_through([0, 1, 10], closed=True, straighten=True)
+    with pytest.raises(ValueError, match="at least two"):
+        waist.path_through([3])
