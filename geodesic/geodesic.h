@@ -29,7 +29,6 @@
 #include "meshes/load.h"
 #include "meshes/pair_distances.h"
 #include "meshes/point_solver.h"
-#include "meshes/weld.h"
 #include "solvers/paths/paths.h"
 #include "solvers/paths/straightest.h"
 #include "solvers/paths/through.h"

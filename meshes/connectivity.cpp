@@ -171,6 +171,17 @@ std::vector<bool> faces_of(const TriangleSoup& soup) {
   return faces;
 }
 
+std::vector<bool> avoided_vertices(const TriangleSoup& soup) {
+  std::vector<bool> avoided(soup.positions.size(), false);
+  for (Index f = 0; f < soup.left_out.size(); ++f) {
+    if (soup.is_face(f) || names_a_vertex_twice(soup.triangles[f])) continue;
+    for (const Index v : soup.triangles[f]) {
+      if (v < avoided.size()) avoided[v] = true;
+    }
+  }
+  return avoided;
+}
+
 TriangleSoup without_left_out(TriangleSoup soup) {
   const std::vector<bool> left_out = std::move(soup.left_out);
   soup.left_out.clear();

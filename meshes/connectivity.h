@@ -123,6 +123,10 @@ std::vector<bool> boundary_vertices(const TriangleSoup& soup);
 /// Returns one flag per triangle: whether it is a face, and not left out.
 std::vector<bool> faces_of(const TriangleSoup& soup);
 
+/// Returns one flag per vertex: whether it is a corner of a triangle that is left out although it
+/// did not collapse. Such a vertex has a face in the file, if not in the mesh.
+std::vector<bool> avoided_vertices(const TriangleSoup& soup);
+
 /// Returns the mesh without the triangles that are left out, so that the numbers of faces close up.
 TriangleSoup without_left_out(TriangleSoup soup);
 

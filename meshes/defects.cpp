@@ -219,8 +219,10 @@ class Finder {
       }
     });
     report_vertices(DefectKind::non_manifold_vertex, [&](Index v) { return groups_at[v] > 1; });
-    report_vertices(DefectKind::isolated_vertex,
-                    [&](Index v) { return groups_at[v] == 0 && !soup_.is_joined(v); });
+    const std::vector<bool> avoided = avoided_vertices(soup_);
+    report_vertices(DefectKind::isolated_vertex, [&](Index v) {
+      return groups_at[v] == 0 && !soup_.is_joined(v) && !avoided[v];
+    });
   }
 
   double length_of(std::span<const EdgeSide> sides) const {

@@ -65,13 +65,20 @@ std::string list_seams(const DefectReport& report, const std::string& weld_optio
   return text;
 }
 
-std::vector<RepairAction> weld_if_asked(MeshFile& file, const LoadOptions& options) {
-  if (!options.weld) return {};
+std::vector<RepairAction> weld_and_leave_out(MeshFile& file, const std::string& name,
+                                             const LoadOptions& options) {
+  std::vector<RepairAction> done;
   try {
-    return weld(file.soup, *options.weld);
+    if (options.weld) done = weld(file.soup, *options.weld);
   } catch (const std::invalid_argument& error) {
     throw MeshError(error.what());
   }
+  try {
+    leave_out(file.soup, options.avoid);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(name + ": " + error.what());
+  }
+  return done;
 }
 
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
@@ -82,7 +89,7 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                     "; correct the mesh or use " + options.repair_option);
   }
   const bool has_faces = std::ranges::count(faces_of(soup), true) > 0;
-  if (!has_faces && !soup.left_out.empty()) {
+  if (!has_faces && errors.empty()) {
     throw MeshError(name +
                     ": every face collapses when vertices are joined; join them within a "
                     "smaller distance");
@@ -100,7 +107,7 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
 }
 
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
-  std::vector<RepairAction> welds = weld_if_asked(file, options);
+  std::vector<RepairAction> welds = weld_and_leave_out(file, name, options);
   DefectReport defects = find_defects(file.soup, file.lines);
   return load_mesh(std::move(file), std::move(welds), std::move(defects), name, options);
 }
@@ -119,7 +126,7 @@ BuiltMesh build_mesh(MeshFile file, const std::string& name, const LoadOptions& 
     build(built.loaded.soup);
     return built;
   }
-  std::vector<RepairAction> welds = weld_if_asked(file, options);
+  std::vector<RepairAction> welds = weld_and_leave_out(file, name, options);
   std::future<DefectReport> defects =
       std::async([&file] { return find_defects(file.soup, file.lines); });
   std::exception_ptr unfit;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/avoid.h"
 #include "meshes/defects.h"
 #include "meshes/mesh_file.h"
 #include "meshes/repair.h"
@@ -20,6 +21,7 @@ struct LoadOptions {
   /// Joins vertices within this distance (see weld.h), before defects are searched for and
   /// repaired; not set: joins none.
   std::optional<double> weld = {};
+  Avoided avoid = {};  ///< left out (see avoid.h), after the weld and before that search
   /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are not errors,
   /// and a repair does not cut them.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
@@ -31,15 +33,17 @@ struct LoadedMesh {
   TriangleSoup soup;  ///< valid for the constructor of Mesh
   std::string format;
   std::vector<RepairAction> welds;    ///< empty if no vertices were joined
-  DefectReport defects;               ///< of the file, after any weld and before any repair
+  DefectReport defects;               ///< of the faces that are not avoided, after any weld and
+                                      ///< before any repair
   std::vector<RepairAction> repairs;  ///< empty without LoadOptions::repair
   std::vector<std::string> warnings;  ///< one line each, without the file's name: welds, defects,
                                       ///< repairs and warnings of the parser
 };
 
-/// @throws MeshError if the file cannot be read, if `weld` is no distance, if it has defects that
-/// are errors and `repair` is
-///         false, or if no face remains after the repair
+/// @throws MeshError if the file cannot be read, if `weld` is no distance, if `avoid` is not of
+/// this
+///         mesh or leaves no face, if it has defects that are errors and `repair` is false, or if
+///         no face remains after the repair
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// As above, for a file that was already read.
@@ -69,12 +73,16 @@ std::string remedy_of(const Defect& defect, const std::string& weld_option);
 /// Lists the defects that a weld remedies, with their remedies, in one line; empty without them.
 std::string list_seams(const DefectReport& report, const std::string& weld_option);
 
-/// Joins the vertices of a file as the options say.
-/// @throws MeshError for a distance that is negative or not finite
-std::vector<RepairAction> weld_if_asked(MeshFile& file, const LoadOptions& options);
+/// Joins the vertices of a file, and then leaves faces out, as the options say.
+/// @param name the file's name, for messages
+/// @return what the weld did
+/// @throws MeshError for a distance that is negative or not finite, and for the reasons of
+/// leave_out
+std::vector<RepairAction> weld_and_leave_out(MeshFile& file, const std::string& name,
+                                             const LoadOptions& options);
 
 /// Checks that a mesh is suitable for solvers.
-/// @param soup the mesh after the weld and the repair, if any
+/// @param soup the mesh after all that the options ask for
 /// @param defects the defects of the file before the repair
 /// @param name the file's name, for messages
 /// @throws MeshError for the reasons of `load_mesh`

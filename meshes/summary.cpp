@@ -89,8 +89,9 @@ void Surface::count(MeshSummary& summary) {
     summary.boundary_edges += is_boundary(h) ? 1u : 0u;
   }
   const std::vector<bool> used = used_vertices(triangles_, soup_.positions.size());
+  const std::vector<bool> avoided = avoided_vertices(soup_);
   for (Index v = 0; v < used.size(); ++v) {
-    summary.isolated_vertices += used[v] || soup_.is_joined(v) ? 0U : 1U;
+    summary.isolated_vertices += used[v] || avoided[v] || soup_.is_joined(v) ? 0U : 1U;
   }
   summary.left_out_faces = soup_.triangles.size() - triangles_.size();
   summary.components = first_faces(soup_.triangles, usable_, soup_.positions.size()).size();

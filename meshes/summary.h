@@ -21,12 +21,12 @@ struct EdgeLengths {
 struct MeshSummary {
   std::size_t vertices = 0;        ///< vertices of the file, including isolated ones
   std::size_t faces = 0;           ///< triangles of the file
-  std::size_t left_out_faces = 0;  ///< unusable triangles of the file
+  std::size_t left_out_faces = 0;  ///< unusable or avoided triangles of the file
   std::size_t edges = 0;
   std::size_t boundary_edges = 0;
   std::size_t components = 0;  ///< groups of faces that edges or vertices connect
   std::size_t boundary_loops = 0;
-  std::size_t isolated_vertices = 0;
+  std::size_t isolated_vertices = 0;  ///< without a usable face, except those of avoided faces
   bool orientable = true;
   /// Sum of the genus of all parts: (2 parts - loops - Euler characteristic) / 2. A part is what
   /// edges connect, and boundary loops count as closed by discs. None if not orientable.

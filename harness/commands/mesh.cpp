@@ -25,6 +25,7 @@ struct Flags {
   bool json = false;
   bool repair = false;
   std::optional<double> weld;
+  AvoidedFiles avoid;
 };
 
 // Results of the inspection, after the repair if there is one.
@@ -153,8 +154,9 @@ void inspect(const Flags& flags) {
   Findings findings;
   findings.format = std::move(file.format);
   findings.warnings = std::move(file.warnings);
-  const LoadOptions options = {.repair = flags.repair, .weld = flags.weld};
-  findings.welds = weld_if_asked(file, options);
+  const LoadOptions options = {
+      .repair = flags.repair, .weld = flags.weld, .avoid = read_avoided(flags.avoid)};
+  findings.welds = weld_and_leave_out(file, flags.file, options);
   findings.defects = find_defects(file.soup, file.lines);
   if (flags.repair) findings.repairs = repair(file.soup);
   findings.summary = summarize(file.soup);
@@ -184,11 +186,13 @@ void add_mesh_command(CLI::App& app) {
       ->type_name("");
   command->add_flag("--json", flags->json, "print a JSON object");
   add_weld_option(*command, flags->weld);
+  add_avoid_options(*command, flags->avoid);
   command->add_flag("--repair", flags->repair,
                     "repair the mesh first and say what was done; joins no vertices");
   command
       ->add_option("-o,--output", flags->output,
-                   "write the mesh (after the weld and the repair, if any) as .obj, .off or .ply")
+                   "write the mesh (without the avoided faces, after the weld and the repair) as "
+                   ".obj, .off or .ply")
       ->type_name("FILE");
   command->callback([flags] { inspect(*flags); });
 }

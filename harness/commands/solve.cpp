@@ -56,9 +56,10 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   open_lines(outputs.isolines, "--isolines", flags.isolines);
   const NonManifoldEdges non_manifold_edges =
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
-  const BuiltMesh built = build_mesh(
-      entry.file,
-      {.repair = flags.repair, .weld = flags.weld, .non_manifold_edges = non_manifold_edges});
+  const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair,
+                                                  .weld = flags.weld,
+                                                  .avoid = values.avoided,
+                                                  .non_manifold_edges = non_manifold_edges});
   Problem problem = read_problem(flags, solver, entry, built, values);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
@@ -235,6 +236,7 @@ void add_solve_command(CLI::App& app) {
   command->add_flag("--counters", flags->counters,
                     "solve again for counters, phases and the peak of memory");
   add_weld_option(*command, flags->weld);
+  add_avoid_options(*command, flags->avoid);
   command->add_flag("--repair", flags->repair,
                     "repair defects of the mesh, and say which; joins no vertices");
   command->add_flag(
@@ -270,7 +272,8 @@ void add_solve_command(CLI::App& app) {
        {"--output", "--out", "--nearest-source", "--angles", "--paths", "--isolines", "--levels"}},
       {"How it is solved",
        {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
-      {"The mesh", {"--weld", "--repair", "--cross-non-manifold", "--manifest"}},
+      {"The mesh",
+       {"--weld", "--avoid", "--avoid-faces", "--repair", "--cross-non-manifold", "--manifest"}},
       {"What is checked and counted", {"--check", "--counters"}}};
   for (const auto& [group, options] : groups) {
     for (const char* option : options) command->get_option(option)->group(group);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harness/base/error.h"
+#include "harness/corpus/points.h"
 #include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
@@ -89,6 +90,25 @@ std::vector<std::string> with_weld_distance(std::vector<std::string> words) {
     if (i + 1 == words.size() || !number_in<double>(words[i + 1])) words[i] += "=0";
   }
   return words;
+}
+
+void add_avoid_options(CLI::App& command, AvoidedFiles& files) {
+  command
+      .add_option("--avoid", files.vertices,
+                  "file of the numbers of vertices that paths may not enter: all their faces are "
+                  "left out, and numbers stay those of the file; a JSON list, or text")
+      ->type_name("FILE");
+  command
+      .add_option("--avoid-faces", files.faces,
+                  "file of the numbers of faces that paths may not enter, in the same formats")
+      ->type_name("FILE");
+}
+
+Avoided read_avoided(const AvoidedFiles& files) {
+  Avoided avoided;
+  if (!files.vertices.empty()) avoided.vertices = read_numbers(files.vertices, "--avoid");
+  if (!files.faces.empty()) avoided.faces = read_numbers(files.faces, "--avoid-faces");
+  return avoided;
 }
 
 CLI::Validator zero_or_above() {

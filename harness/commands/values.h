@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "meshes/avoid.h"
+
 namespace geodesic::harness {
 
 /// Makes every option of the command refuse empty values. Options that take a number also refuse
@@ -24,6 +26,17 @@ void add_weld_option(CLI::App& command, std::optional<double>& distance);
 /// Returns the words with --weld=0 for each --weld that no number follows: the next word is then a
 /// file, or another option.
 std::vector<std::string> with_weld_distance(std::vector<std::string> words);
+
+/// The files of --avoid and --avoid-faces; empty for none.
+struct AvoidedFiles {
+  std::string vertices, faces;
+};
+
+/// Adds --avoid FILE and --avoid-faces FILE, for Avoided.
+void add_avoid_options(CLI::App& command, AvoidedFiles& files);
+
+/// Reads the files. @throws HarnessError as read_numbers
+Avoided read_avoided(const AvoidedFiles& files);
 
 /// Validators for CLI::Option::check of an option that takes a number.
 CLI::Validator above_zero();

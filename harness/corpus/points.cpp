@@ -246,6 +246,30 @@ std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where)
   return points_of(rows, false);
 }
 
+Index number_of(const std::string& word, const std::string& where) {
+  const std::optional<Index> number = number_in<Index>(word);
+  if (number) return *number;
+  throw HarnessError(where + ": '" + excerpt(word) +
+                     "' is not the number of a vertex or face, such as 12");
+}
+
+std::vector<Index> parse_numbers_list(const Json& list, const std::string& where) {
+  if (!list.is_array()) throw HarnessError(where + ": a list of numbers is expected");
+  std::vector<Index> numbers;
+  for (const Json& each : list) {
+    numbers.push_back(number_of(each.dump(), where + ", item " + std::to_string(numbers.size())));
+  }
+  return numbers;
+}
+
+std::vector<Index> parse_numbers_text(std::string_view text, const std::string& where) {
+  std::vector<Index> numbers;
+  for (const Row& row : rows_of(text, where)) {
+    for (const std::string& word : row.words) numbers.push_back(number_of(word, row.where));
+  }
+  return numbers;
+}
+
 WrittenPair pair_of(const std::vector<WrittenPoint>& points, const std::string& where) {
   if (points.size() != 2) {
     throw HarnessError(where + ": a pair is two points, not " + std::to_string(points.size()));
@@ -325,6 +349,18 @@ std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::s
 
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag) {
   return read_items(file, flag, parse_points_file);
+}
+
+std::vector<Index> parse_numbers_file(std::string_view bytes, const std::string& where) {
+  std::vector<Index> numbers = are_json(bytes, where)
+                                   ? parse_numbers_list(parse_json(bytes, where), where)
+                                   : parse_numbers_text(bytes, where);
+  if (numbers.empty()) refuse_empty(where, "number");
+  return numbers;
+}
+
+std::vector<Index> read_numbers(const std::filesystem::path& file, const std::string& flag) {
+  return read_items(file, flag, parse_numbers_file);
 }
 
 std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::string& where) {

@@ -1,4 +1,5 @@
-// Points of the surface as users write them, on the command line and in files.
+// Points of the surface, and numbers of vertices and faces, as users write them, on the command
+// line and in files.
 #pragma once
 
 #include <array>
@@ -52,6 +53,15 @@ std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const s
 
 /// Like read_points, for the bytes of a file. @param where start of the messages
 std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where);
+
+/// Reads the numbers of vertices, or of faces, from a file: in text between commas or white space,
+/// or a JSON list. They are numbered from 0 in the order of the mesh file.
+/// @param flag option that named the file, for messages
+/// @throws HarnessError when it cannot be read, has no number, or has anything else
+std::vector<Index> read_numbers(const std::filesystem::path& file, const std::string& flag);
+
+/// Like read_numbers, for the bytes of a file. @param where start of the messages
+std::vector<Index> parse_numbers_file(std::string_view bytes, const std::string& where);
 
 using WrittenPair = std::array<WrittenPoint, 2>;
 

@@ -25,9 +25,16 @@ class SharedMesh:
         """By vertex, the one that stands for it; empty when no vertices were joined."""
     @property
     def left_out(self) -> list[bool]:
-        """By face, whether it collapsed; empty when none did."""
+        """By face, whether it collapsed or is avoided; empty when no face did or is."""
     @property
     def crosses_non_manifold(self) -> bool: ...
+
+class Avoided:
+    """Vertices and faces that paths may not enter. The number of flags is that of a mask, None for numbers."""
+
+    def __init__(
+        self, vertices: _Indices, vertex_flags: int | None, faces: _Indices, face_flags: int | None
+    ) -> None: ...
 
 class SolverPool:
     """Solvers of one name on one mesh."""
@@ -92,13 +99,15 @@ class Solver:
 def mesh(
     vertices: NDArray[np.float64],
     faces: _Indices,
-    cross_non_manifold: bool,
-    weld: float | None,
     joined_to: _Indices,
     left_out: list[bool],
-) -> tuple[SharedMesh, str, str]: ...
+    repair: bool,
+    cross_non_manifold: bool,
+    weld: float | None,
+    avoided: Avoided,
+) -> tuple[SharedMesh, list[str]]: ...
 def read(
-    file: str, repair: bool, cross_non_manifold: bool, weld: float | None,
+    file: str, repair: bool, cross_non_manifold: bool, weld: float | None, avoided: Avoided,
     read_before: tuple[NDArray[np.float64], _Indices] | None,
 ) -> tuple[SharedMesh, list[str]]:  # fmt: skip
     """Reads the file, unless its vertices and faces were read before."""

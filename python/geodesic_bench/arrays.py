@@ -38,6 +38,29 @@ def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
     return array.astype(np.uint32, order="C")
 
 
+def chosen(values: ArrayLike | None, what: str) -> tuple[NDArray[np.uint32], int | None]:
+    """Converts the numbers of vertices or faces, or a mask with a boolean for each, to their numbers and the
+    length of the mask. The mesh may not be read yet.
+
+    @param what name of the argument, for messages"""
+    if values is None:
+        return np.zeros(0, np.uint32), None
+    kinds = "numbers, or of a boolean for each vertex or face"
+    array = _array(values, what, kinds)
+    if array.dtype == np.bool_:
+        if array.ndim != 1:
+            raise ValueError(f"{what} must be a list of {kinds}, not of shape {array.shape}")
+        return np.flatnonzero(array).astype(np.uint32), len(array)
+    array = _integers(values, what, ".astype(bool) for a mask")
+    if array.ndim > 1:
+        raise ValueError(f"{what} must be a list of {kinds}, not of shape {array.shape}")
+    array = array.reshape(-1)
+    outside = (array < 0) | (array >= int(NONE))
+    if outside.any():
+        raise ValueError(f"{what} must be numbers of vertices or faces from 0, not {array[outside.argmax()]}")
+    return array.astype(np.uint32), None
+
+
 class Place(NamedTuple):
     """A place in space, which stands for the nearest point of the surface. It has a name, since three bare
     numbers might be vertices.

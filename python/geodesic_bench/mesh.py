@@ -25,6 +25,7 @@ from geodesic_bench.arrays import (
     Place,
     Points,
     PointSets,
+    chosen,
     face_array,
     number,
     numbers,
@@ -89,23 +90,32 @@ class Mesh:
     faces : (m, 3) integers, m > 0
         Indices of vertices from 0, counter-clockwise seen from outside; copied. A flat array is read as those of
         VTK: [3, a, b, c, 3, ...].
+    repair : bool
+        Repair defects that make distances meaningless and are otherwise refused (docs/adding-a-mesh.md).
+        Vertices keep their numbers, and none are joined.
     cross_non_manifold : bool
         Paths cross edges of more than two faces, from a face into each of the others, and edges between
-        faces of inconsistent orientation. Otherwise such edges are boundaries. Only these solvers support
-        it: edge-based, mmp, fwp-mmp.
+        faces of inconsistent orientation. Otherwise such edges are refused, or with `repair` boundaries.
+        Only these solvers support it: edge-based, mmp, fwp-mmp.
     weld : bool or number
         Join the vertices at the same place, or within this distance of each other, so that paths cross
         seams. All keep their numbers, and each has the distance of the one of least number that it is
         joined to, which `faces` names then. A face that collapses stays in `faces`; it contains no points.
+    avoid : integers or (n,) booleans
+        Vertices that paths may not enter: all their faces are left out, after the weld. Distances are those
+        of the mesh without these faces, and inf at a vertex without another face. All numbers stay, and
+        `faces` as well; an avoided face contains no points.
+    avoid_faces : integers or (m,) booleans
+        The same for faces.
 
     Raises
     ------
     ValueError
         For arrays of another shape, a face with a repeated or missing vertex, a coordinate that is
-        not finite, and a distance that is negative or not finite.
+        not finite, other defects that make distances meaningless, a distance that is negative or not
+        finite, a mask of another length, and when all faces are avoided.
 
-    Other defects that make distances meaningless, which `read_mesh` refuses, give one UserWarning; so do
-    vertices of different faces at the same place that are not joined.
+    Repairs give one UserWarning, and so do vertices of different faces at the same place that are not joined.
 
     The mesh keeps the solver of the last query and its memory.
 
@@ -124,25 +134,34 @@ class Mesh:
         vertices: Any,
         faces: ArrayLike | None = None,
         *,
+        repair: bool = False,
         cross_non_manifold: bool = False,
         weld: bool | float = False,
+        avoid: ArrayLike | None = None,
+        avoid_faces: ArrayLike | None = None,
     ) -> None:
         joined_to, left_out = _NONE_JOINED, list[bool]()
         if isinstance(vertices, Mesh) and faces is None:
             points, corners = vertices.vertices, vertices._shared.faces
             joined_to, left_out = vertices._shared.joined_to, vertices._shared.left_out
+            repair = True  # it was repaired, and may have edges that are cut
         else:
             if faces is None:
                 vertices, faces = arrays_of(vertices)
             points = vertex_array(vertices)
             corners = face_array(faces, len(points))
-        self._shared, errors, seams = _native.mesh(
-            points, corners, bool(cross_non_manifold), _weld_distance(weld), joined_to, left_out
+        self._shared, remarks = _native.mesh(
+            points,
+            corners,
+            joined_to,
+            left_out,
+            bool(repair),
+            bool(cross_non_manifold),
+            _weld_distance(weld),
+            _avoided(avoid, avoid_faces),
         )
-        if errors:
-            _warn(f"distances may be meaningless: {errors}")
-        if seams:
-            _warn(seams)
+        if remarks:
+            _warn("; ".join(remarks))
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -845,6 +864,8 @@ def read_mesh(
     repair: bool = False,
     cross_non_manifold: bool = False,
     weld: bool | float = False,
+    avoid: ArrayLike | None = None,
+    avoid_faces: ArrayLike | None = None,
 ) -> Mesh:
     """Reads an OBJ, OFF, PLY or STL file, or by its suffix a file of triangles that another package reads, if that is
     installed. The mesh has the vertex numbers of the file.
@@ -861,6 +882,10 @@ def read_mesh(
         As in Mesh; such edges are then not refused, and a repair does not cut them.
     weld : bool or number
         As in Mesh, before the repair.
+    avoid : integers or booleans
+        As in Mesh, after the weld and before the repair, in the numbers of the file.
+    avoid_faces : integers or booleans
+        The same for faces.
 
     Raises
     ------
@@ -872,7 +897,12 @@ def read_mesh(
     mesh = Mesh.__new__(Mesh)
     read = _read_by_other_package(file)
     mesh._shared, remarks = _native.read(
-        os.fspath(file), bool(repair), bool(cross_non_manifold), _weld_distance(weld), read
+        os.fspath(file),
+        bool(repair),
+        bool(cross_non_manifold),
+        _weld_distance(weld),
+        _avoided(avoid, avoid_faces),
+        read,
     )
     if remarks:
         _warn(f"{os.fspath(file)}: {'; '.join(remarks)}")
@@ -888,7 +918,8 @@ def _restored(
 ) -> Mesh:
     """A mesh from its pickle. Its warnings were given before."""
     mesh = Mesh.__new__(Mesh)
-    mesh._shared, _, _ = _native.mesh(vertices, faces, crosses, None, joined_to, left_out)
+    arrays = vertices, faces, joined_to, left_out
+    mesh._shared, _ = _native.mesh(*arrays, True, crosses, None, _avoided(None, None))
     return mesh
 
 
@@ -909,6 +940,10 @@ def _read_by_other_package(
         return points, face_array(read[1], len(points))
     except ValueError as error:
         raise ValueError(f"{os.fspath(file)}: {error}") from None
+
+
+def _avoided(vertices: ArrayLike | None, faces: ArrayLike | None) -> _native.Avoided:
+    return _native.Avoided(*chosen(vertices, "avoid"), *chosen(faces, "avoid_faces"))
 
 
 def defects(mesh: Mesh) -> list[_native.Defect]:

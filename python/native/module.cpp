@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "geodesic/geodesic.h"
+#include "meshes/avoid.h"
 #include "meshes/defects.h"
 #include "meshes/isolines.h"
 #include "meshes/load.h"
@@ -128,59 +129,62 @@ std::vector<T> values_of(const Array<T>& array) {
 using SharedMeshPointer = std::shared_ptr<SharedMesh>;
 using PoolPointer = std::shared_ptr<SolverPool>;
 
-NonManifoldEdges crossed_if(bool cross_non_manifold) {
-  return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
+/// @param weld_distance joins vertices; none joins none
+LoadOptions options_of(bool repair, bool cross_non_manifold, std::optional<double> weld_distance,
+                       const Avoided& avoided) {
+  return {
+      .repair = repair,
+      .weld = weld_distance,
+      .avoid = avoided,
+      .non_manifold_edges = cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut,
+      .repair_option = "repair=True",
+      .weld_option = "weld=True"};
 }
 
-constexpr const char* kWeldOption = "weld=True";
+SharedMeshPointer shared(BuiltMesh& built, const LoadOptions& options) {
+  return std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh),
+                                      options.non_manifold_edges);
+}
 
-/// Builds a mesh and searches for its defects at the same time.
 /// @param joined_to, left_out as in TriangleSoup
-/// @param weld_distance joins vertices; none joins none
-/// @return the mesh, its errors in the format of list_errors, and the other text of list_seams
-std::tuple<SharedMeshPointer, std::string, std::string> mesh(const Array<double>& vertices,
-                                                             const Array<Index>& faces,
-                                                             bool cross_non_manifold,
-                                                             std::optional<double> weld_distance,
-                                                             const Array<Index>& joined_to,
-                                                             std::vector<bool> left_out) {
-  const auto soup = std::make_shared<TriangleSoup>(
-      TriangleSoup{rows_of(vertices), rows_of(faces), values_of(joined_to), std::move(left_out)});
-  return in_background([=](Task&) {
-    const NonManifoldEdges edges = crossed_if(cross_non_manifold);
-    if (weld_distance) weld(*soup, *weld_distance);
-    std::future<DefectReport> defects = std::async([&] { return find_defects(*soup); });
-    auto built = std::make_shared<const Mesh>(*soup, Numbering::along_surface, edges);
-    const DefectReport found = defects.get();
-    return std::tuple(std::make_shared<SharedMesh>(std::move(*soup), std::move(built), edges),
-                      list_errors(found, edges), list_seams(found, kWeldOption));
+/// @return the mesh, and the warnings about its seams and repairs
+std::pair<SharedMeshPointer, std::vector<std::string>> mesh(
+    const Array<double>& vertices, const Array<Index>& faces, const Array<Index>& joined_to,
+    std::vector<bool> left_out, bool repair, bool cross_non_manifold,
+    std::optional<double> weld_distance, const Avoided& avoided) {
+  MeshFile content;
+  content.soup = {rows_of(vertices), rows_of(faces), values_of(joined_to), std::move(left_out)};
+  return in_background([=, content = std::move(content)](Task&) mutable {
+    const LoadOptions options = options_of(repair, cross_non_manifold, weld_distance, avoided);
+    BuiltMesh built = build_mesh(std::move(content), "the mesh", options);
+    std::vector<std::string> warnings;
+    if (std::string seams = list_seams(built.loaded.defects, options.weld_option); !seams.empty()) {
+      warnings.push_back(std::move(seams));
+    }
+    for (const RepairAction& action : built.loaded.repairs) {
+      warnings.push_back("repair: " + action.summary());
+    }
+    return std::pair(shared(built, options), std::move(warnings));
   });
 }
 
 /// @param read_before the vertices and faces of a file that another package has read
 std::pair<SharedMeshPointer, std::vector<std::string>> read(
     const std::filesystem::path& file, bool repair, bool cross_non_manifold,
-    std::optional<double> weld_distance,
+    std::optional<double> weld_distance, const Avoided& avoided,
     const std::optional<std::pair<Array<double>, Array<Index>>>& read_before) {
   std::optional<TriangleSoup> soup;
   if (read_before) soup = TriangleSoup{rows_of(read_before->first), rows_of(read_before->second)};
   return in_background([=, soup = std::move(soup)](Task&) mutable {
-    const NonManifoldEdges edges = crossed_if(cross_non_manifold);
+    const LoadOptions options = options_of(repair, cross_non_manifold, weld_distance, avoided);
     MeshFile content;
     if (soup) {
       content.soup = *std::move(soup);
     } else {
       content = read_mesh_file(file);
     }
-    BuiltMesh built = build_mesh(std::move(content), file.string(),
-                                 {.repair = repair,
-                                  .weld = weld_distance,
-                                  .non_manifold_edges = edges,
-                                  .repair_option = "repair=True",
-                                  .weld_option = kWeldOption});
-    return std::pair(
-        std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh), edges),
-        std::move(built.loaded.warnings));
+    BuiltMesh built = build_mesh(std::move(content), file.string(), options);
+    return std::pair(shared(built, options), std::move(built.loaded.warnings));
   });
 }
 
@@ -639,6 +643,12 @@ PYBIND11_MODULE(_native, module) {
       .def_property_readonly("crosses_non_manifold", [](const SharedMesh& mesh) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
+
+  py::class_<Avoided>(module, "Avoided")
+      .def(py::init([](const Array<Index>& vertices, std::optional<std::size_t> vertex_flags,
+                       const Array<Index>& faces, std::optional<std::size_t> face_flags) {
+        return Avoided{values_of(vertices), values_of(faces), vertex_flags, face_flags};
+      }));
 
   py::class_<SolverPool, PoolPointer>(module, "SolverPool")
       .def_property_readonly("solver", &SolverPool::solver, py::return_value_policy::reference)

@@ -15,6 +15,16 @@ std::string not_in_mesh(const char* kind, Index number, Index count, const char*
          std::to_string(count) + " " + kinds;
 }
 
+// Why a face is left out: the mesh does not know which of two reasons, if vertices were joined.
+std::string why_left_out(const Mesh& mesh) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.numbers().external_vertex(mesh.numbers().internal_vertex(v)) == v) continue;
+    return " collapsed when vertices were joined, or is avoided; name a vertex of it, or a point "
+           "in another face";
+  }
+  return " is avoided; name a point in another face";
+}
+
 }  // namespace
 
 SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights) {
@@ -85,8 +95,7 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
     return not_in_mesh("face", point.face, mesh.external_face_count(), "faces");
   }
   if (mesh.numbers().internal_face(point.face) == kNone) {
-    return "face " + std::to_string(point.face) +
-           " collapsed when vertices were joined; name a vertex of it, or a point in another face";
+    return "face " + std::to_string(point.face) + why_left_out(mesh);
   }
   const auto& w = point.weights;
   const bool in_range = std::ranges::all_of(w, [](double x) { return x >= 0 && x < 1; });

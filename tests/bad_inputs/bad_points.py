@@ -29,6 +29,11 @@ def pairs(what: str, content: str | list[object], *says: str) -> Case:
     return Case(f"pairs: {what}", f"{SOLVE} --pairs points", ["--pairs 'points'", *says], files={"points": text})
 
 
+def avoided(what: str, content: str | list[object], *says: str) -> Case:
+    text = json.dumps(content) if isinstance(content, list) else content
+    return Case(f"avoided: {what}", f"{SOLVE} --source 0 --avoid wall", [*says], files={"wall": text})
+
+
 CASES = [
     word("-1", "'-1' is not a point, such as 12 (a vertex), edge:3-7:0.25, face:345:0.2,0.3,0.5"),
     word("1.5", "'1.5' is not a point"),
@@ -102,6 +107,19 @@ CASES = [
     file("several in a string", ["0,1"], "point 0: a string holds one point"),
     file("an initial distance", ["1+1"], "a target has no initial distance"),
     file("a vertex that is not there", [99], "point 0 99: vertex 99 is not in the mesh"),
+    Case("avoided: missing", f"{SOLVE} --source 0 --avoid-faces nowhere", ["--avoid-faces nowhere: no such file"]),
+    avoided("empty", "", "--avoid 'wall': the file is empty"),
+    avoided("no number", "[]", "--avoid 'wall': there is no number in it"),
+    avoided("a point", "0\nedge:0-1:0.5\n", "--avoid 'wall', line 2: 'edge:0-1:0.5' is not the number of a vertex or"),
+    avoided("a negative number", "-1", "line 1: '-1' is not the number of a vertex or face, such as 12"),
+    avoided("too large", "99999999999", "line 1: '99999999999' is not the number of a vertex or face"),
+    avoided("a boolean", [True], "item 0: 'true' is not the number of a vertex or face"),
+    avoided("no list", "{}", "a list of numbers is expected"),
+    avoided("a mask", "0 0 1 0", "hill.obj: the list of avoided vertices has only the numbers 0 and 1"),
+    avoided("a vertex that is not there", "99", "hill.obj: avoided vertex 99 is not in the mesh of 4 vertices"),
+    avoided("all", "0 1 2 3", "hill.obj: no face is left: all of them are avoided"),
+    Case("avoided: a source in an avoided face", f"{SOLVE} --source face:0:0.5,0.25,0.25 --avoid-faces wall",
+         ["face 0 is avoided; name a point in another face"], files={"wall": "0"}),
     Case("pairs: missing", f"{SOLVE} --pairs nowhere", ["--pairs nowhere: no such file"]),
     pairs("empty", " \n", "the file is empty"),
     pairs("separators only", ",\n", "there is no pair in it"),

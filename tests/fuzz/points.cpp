@@ -1,4 +1,4 @@
-// Fuzz target: files of sources, targets and pairs.
+// Fuzz target: files of sources, targets and pairs, and of numbers of vertices and faces.
 #include "harness/corpus/points.h"
 
 #include "harness/base/error.h"
@@ -7,7 +7,11 @@
 void geodesic::harness::fuzz::read_input(std::string_view bytes) {
   try {
     parse_points_file(bytes, "--sources-file 'points'");
-  } catch (const HarnessError&) {  // may still be pairs
+  } catch (const HarnessError&) {  // may still be numbers or pairs
+  }
+  try {
+    parse_numbers_file(bytes, "--avoid 'points'");
+  } catch (const HarnessError&) {
   }
   parse_pairs_file(bytes, "--pairs 'points'");
 }

@@ -78,10 +78,13 @@ class Clean : public InputFiles {
   }
 
   /// Expects that the harness and the solvers find no defect in a cleaned mesh, and that another
-  /// cleaning changes nothing.
+  /// cleaning changes nothing. Sheets that are cut apart lie at the same place.
   void expect_measurable(const TriangleSoup& soup) {
     for (const Defect& defect : find_defects(soup).defects) {
-      EXPECT_EQ(defect.kind, DefectKind::several_components) << defect.text();
+      EXPECT_TRUE(defect.kind == DefectKind::several_components ||
+                  defect.kind == DefectKind::coincident_vertex ||
+                  defect.kind == DefectKind::nearly_coincident_vertex)
+          << defect.text();
     }
     const Mesh mesh(soup);
     EXPECT_FALSE(mesh.has_degenerate_faces());

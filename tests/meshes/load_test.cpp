@@ -99,6 +99,29 @@ TEST_F(Load, RefusesAWeldThatLeavesNoFaceAndADistanceThatIsNone) {
             "more, not -2");
 }
 
+TEST_F(Load, LeavesAvoidedFacesOutAfterAWeldAndBeforeDefectsAreSearchedFor) {
+  const auto path = write("a.obj", kSeam + "f 1 2 2\n");
+  for (const bool repair : {false, true}) {
+    const LoadOptions options = {.repair = repair, .weld = 0, .avoid = {.faces = {2}}};
+    const BuiltMesh built = build_mesh(path, options);
+    EXPECT_TRUE(built.loaded.defects.defects.empty());
+    EXPECT_TRUE(built.loaded.repairs.empty());
+    EXPECT_EQ(built.loaded.soup.left_out, (std::vector<bool>{false, false, true}));
+    EXPECT_EQ(built.mesh->external_face_count(), 3u);
+  }
+}
+
+TEST_F(Load, RefusesAvoidedElementsThatAreNotThereOrLeaveNoFace) {
+  const auto path = write("a.obj", kSeam);
+  const auto message = [&](const Avoided& avoid) {
+    return message_of<MeshError>([&] { build_mesh(path, {.avoid = avoid}); });
+  };
+  EXPECT_EQ(message({.vertices = {6}}),
+            path.string() + ": avoided vertex 6 is not in the mesh of 6 vertices");
+  EXPECT_EQ(message({.vertices = {0}, .faces = {1}}),
+            path.string() + ": no face is left: all of them are avoided");
+}
+
 TEST_F(Load, RefusesAMeshOfWhichARepairLeavesNothing) {
   const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
   EXPECT_THROW(load_mesh(path, {.repair = true}), MeshError);

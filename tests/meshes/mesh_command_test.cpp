@@ -99,6 +99,22 @@ TEST_F(MeshCommand, WeldsAndReportsIt) {
   EXPECT_TRUE(contains(run({file, "--weld=-1"}).error, "'-1' is not 0 or greater"));
 }
 
+TEST_F(MeshCommand, LeavesOutAvoidedFacesReportsAndWritesTheRest) {
+  const auto file = write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  const auto rest = folder_ / "b.obj";
+  const auto vertices = write("vertices", "[3]"), faces = write("faces", "1\n");
+  for (const std::vector<std::string>& avoid :
+       {std::vector<std::string>{"--avoid", vertices}, {"--avoid-faces", faces}}) {
+    const Outcome outcome = run({file, avoid[0], avoid[1], "-o", rest});
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_TRUE(contains(outcome.output, "faces left out      1\n")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "defects             none")) << outcome.output;
+    const Json json = Json::parse(run({rest, "--json"}).output);
+    EXPECT_EQ(json["faces"], 1);
+    EXPECT_EQ(json["vertices"], 4);
+  }
+}
+
 TEST(WeldOption, takes_the_next_word_only_if_it_is_a_number) {
   using Words = std::vector<std::string>;
   EXPECT_EQ(with_weld_distance({"mesh", "--weld", "a.obj"}), (Words{"mesh", "--weld=0", "a.obj"}));

@@ -16,8 +16,6 @@
 namespace geodesic {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 const TriangleSoup kTetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
                                 {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
 
@@ -39,7 +37,7 @@ TEST(StraightestLine, is_the_straight_line_of_a_plane) {
         SurfacePoint(soup_of(mesh).triangles[face][0])}) {
     const Vec3 from = position_of(mesh, begin);
     for (int i = 0; i < 97; ++i) {
-      const double turn = 2 * kPi * i / 96, length = 4.5;
+      const double turn = 2 * std::numbers::pi * i / 96, length = 4.5;
       const Vec3 to = add(from, {length * std::cos(turn), length * std::sin(turn), 0});
       const double angle = angle_of(mesh, begin, subtract(to, from));
       const StraightestLine line = trace_straightest(mesh, begin, angle, length);
@@ -57,7 +55,7 @@ TEST(StraightestLine, begins_at_the_first_side_of_a_face_and_turns_counter_clock
   const Mesh mesh(plane(), Numbering::along_surface);
   const SurfacePoint begin = point_in_face(mesh, 421, {1, 1, 1});
   const Vec3 x = along(mesh, 421), y = {-x[1], x[0], 0};
-  const StraightestLine line = trace_straightest(mesh, begin, kPi / 6, 1);
+  const StraightestLine line = trace_straightest(mesh, begin, std::numbers::pi / 6, 1);
   const Vec3 to = add(add(position_of(mesh, begin), scale(std::sqrt(3) / 2, x)), scale(.5, y));
   EXPECT_LT(between(line.points.back().position, to), 1e-14);
 }
@@ -70,7 +68,7 @@ TEST(StraightestLine, leaves_the_same_angle_on_both_sides_of_a_vertex) {
   ASSERT_GE(line.points.size(), 3u);
   EXPECT_EQ(line.points[1].at, SurfacePoint(1));
   EXPECT_LT(between(line.points.back().position, {-1, 0, 0}), 1e-12);  // of the edge 2-3
-  EXPECT_NEAR(total_angle(mesh, 1), kPi, 1e-14);
+  EXPECT_NEAR(total_angle(mesh, 1), std::numbers::pi, 1e-14);
 }
 
 TEST(StraightestLine, ends_at_the_boundary_and_says_so) {
@@ -118,7 +116,7 @@ TEST(LogMap, is_polar_coordinates_on_a_plane) {
       EXPECT_NEAR(map[v].length, norm(to), 1e-12);
       if (norm(to) == 0) continue;
       const double off = std::abs(map[v].angle - angle_of(mesh, source, to));
-      EXPECT_LT(std::min(off, 2 * kPi - off), 1e-11) << v;
+      EXPECT_LT(std::min(off, 2 * std::numbers::pi - off), 1e-11) << v;
     }
   }
 }
@@ -127,7 +125,7 @@ TEST(LogMap, goes_through_the_angles_of_a_cone) {
   TriangleSoup cone{{{0, 0, 1}}, {}};
   const Index sides = 7;
   for (Index k = 0; k < sides; ++k) {
-    const double turn = 2 * kPi * k / sides;
+    const double turn = 2 * std::numbers::pi * k / sides;
     cone.positions.push_back({std::cos(turn), std::sin(turn), 0});
     cone.triangles.push_back({0, 1 + k, 1 + (k + 1) % sides});
   }
@@ -135,7 +133,7 @@ TEST(LogMap, goes_through_the_angles_of_a_cone) {
   const double part = total_angle(mesh, 0) / sides;
   const auto solver = make_solver("edge-based", mesh);
   const auto map = log_map(mesh, solve_paths(*solver, mesh, {.sources = {{.at = 0}}}));
-  EXPECT_NEAR(part, 2 * std::asin(std::sin(kPi / sides) / std::sqrt(2)), 1e-14);
+  EXPECT_NEAR(part, 2 * std::asin(std::sin(std::numbers::pi / sides) / std::sqrt(2)), 1e-14);
   for (Index k = 0; k < sides; ++k) {
     EXPECT_NEAR(map[1 + k].angle, k * part, 1e-14);
     EXPECT_NEAR(map[1 + k].length, std::sqrt(2), 1e-14);

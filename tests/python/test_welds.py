@@ -53,7 +53,7 @@ def test_a_seam_that_is_not_joined_gives_one_warning_and_infinite_distances() ->
 
 
 def test_a_face_that_collapsed_contains_no_point() -> None:
-    with pytest.raises(ValueError, match="face 1 collapsed when vertices were joined; name a vertex of it"):
+    with pytest.raises(ValueError, match="face 1 collapsed when vertices were joined, .*; name a vertex of it"):
         welded().distances((1, (1, 1, 1)))
 
 

@@ -169,7 +169,8 @@ void check_combination(const SolveFlags& flags) {
 
 WrittenValues::WrittenValues(const SolveFlags& flags)
     : sources(points_of("source", flags.sources, flags.sources_file)),
-      targets(points_of("target", flags.targets, flags.targets_file)) {
+      targets(points_of("target", flags.targets, flags.targets_file)),
+      avoided(read_avoided(flags.avoid)) {
   if (!flags.levels.empty()) levels = parse_levels(flags.levels);
   if (!flags.pairs_file.empty()) pairs = read_pairs(flags.pairs_file, "--pairs");
 }

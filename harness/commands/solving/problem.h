@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/base/json.h"
+#include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
@@ -25,6 +26,7 @@ struct SolveFlags {
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, angles = false;
   std::optional<double> weld;
+  AvoidedFiles avoid;
   unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
@@ -43,12 +45,14 @@ struct Levels {
   std::vector<double> given;  ///< if count is 0
 };
 
-/// The points and levels that the flags name, before a mesh is read. @throws HarnessError
+/// The points, levels and avoided elements that the flags name, before a mesh is read. @throws
+/// HarnessError
 struct WrittenValues {
   explicit WrittenValues(const SolveFlags& flags);
   std::vector<WrittenPoint> sources, targets;
   std::vector<WrittenPair> pairs;
   Levels levels;
+  Avoided avoided;
 };
 
 /// The problem, read and checked.
