@@ -18,6 +18,7 @@ CORNERS = np.eye(3)
 FACE = [[0, 1, 2]]
 MASKED: Any = np.ma  # without types
 NOTHING = "a mesh needs at least one vertex and one face"
+MEANINGLESS = "the mesh: distances would be meaningless:"
 
 
 @pytest.mark.parametrize(
@@ -31,14 +32,14 @@ NOTHING = "a mesh needs at least one vertex and one face"
         ([[0, 1], [2]], FACE, "vertices must be an array of numbers"),
         ([["a", "b", "c"]], FACE, "vertices must be real numbers, not <U1"),
         (CORNERS * 1j, FACE, "vertices must be real numbers, not complex128"),
-        (CORNERS * np.nan, FACE, "vertex 0 has a non-finite coordinate"),
-        (CORNERS - [np.inf, 0, 0], FACE, "vertex 0 has a non-finite coordinate"),
-        (CORNERS * 1e300, FACE, "the longest side of the mesh is 1e+300, and must be from 1e-20 to 1e+20; scale it"),
+        (CORNERS * np.nan, FACE, f"{MEANINGLESS} 3 vertices with a coordinate that is not finite"),
+        (CORNERS - [np.inf, 0, 0], FACE, f"{MEANINGLESS} 3 vertices with a coordinate that is not finite"),
+        (CORNERS * 1e100, FACE, "the mesh: the longest side of the mesh is 1e+100, and must be from 1e-20 to 1e+20; scale it"),
         (CORNERS, [[0, 1, 3]], "face 0: vertex 3 is not in the mesh of 3 vertices, numbered from 0 to 2"),
         (CORNERS, [[0, 1, 2], [0, 1, -1]], "face 1: vertex -1 is not in the mesh of 3 vertices"),
         (CORNERS, [[0, 1, 2**32 + 2]], "face 0: vertex 4294967298 is not in the mesh of 3 vertices"),
         (CORNERS, [[0, 1, 2**70]], "face 0: vertex 1180591620717411303424 is not in the mesh of 3"),
-        (CORNERS, [[0, 1, 1]], "face 0 names a vertex twice"),
+        (CORNERS, [[0, 1, 1]], f"{MEANINGLESS} 1 face of fewer than three different vertices (first: face 0 of"),
         (CORNERS, [[0, 1, 2.0]], "faces must be integers, not float64: write .astype(int) for indices"),
         (CORNERS, [[True, False, True]], "faces must be integers, not bool"),
         (CORNERS, [0, 1, 2], "faces must have the shape (n, 3), not (3,); a flat array is [3, a, b, c, 3, ...], of"),
@@ -262,14 +263,14 @@ def test_a_repaired_file_warns_once_of_all_that_was_repaired(tmp_path: Path) -> 
 
 
 def test_defects_are_named_and_counted() -> None:
-    with pytest.warns(UserWarning, match="^distances may be meaningless: 1 repeated face .*[^;]$"):
-        mesh = gb.Mesh(np.vstack([CORNERS, [[9, 9, 9]]]), [[0, 1, 2], [2, 1, 0]])
-    found = gb.defects(mesh)
-    assert [(d.kind, d.severity, d.count) for d in found] == [
-        ("repeated_face", "error", 1),
-        ("isolated_vertex", "warning", 1),
-    ]
-    assert "face" in found[0].first and "vertex 3" in str(found[1])
+    arrays = np.vstack([CORNERS, [[9, 9, 9], [0, 0, 9]]]), [[0, 1, 2], [1, 0, 3], [0, 1, 3]]
+    with pytest.raises(ValueError, match=f"{MEANINGLESS} 1 repeated face .*; correct the mesh or use repair=True$"):
+        gb.Mesh(*arrays)
+    with pytest.warns(UserWarning, match="^repair: repeated faces dropped, the first of each kept: 1$"):
+        gb.Mesh(*arrays, repair=True)
+    found = gb.defects(gb.Mesh(arrays[0], arrays[1][:2]))
+    assert [(d.kind, d.severity, d.count) for d in found] == [("isolated_vertex", "warning", 1)]
+    assert "vertex 4" in str(found[0])
 
 
 def test_a_solver_says_what_it_does_not_support() -> None:

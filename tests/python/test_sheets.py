@@ -30,11 +30,15 @@ def test_any_two_sheets_of_an_edge_are_a_plane(solver: str) -> None:
     np.testing.assert_allclose(path.points, through, atol=1e-15)
 
 
-def test_without_the_flag_such_an_edge_is_a_boundary_and_one_warning_says_so() -> None:
-    with pytest.warns(UserWarning, match="1 non-manifold edge .*; 1 edge between incons") as warned:
-        mesh = gb.Mesh(VERTICES, FACES)
+def test_without_the_flag_such_an_edge_is_refused_or_made_a_boundary() -> None:
+    with pytest.raises(ValueError, match="1 non-manifold edge .*; 1 edge between incons"):
+        gb.Mesh(VERTICES, FACES)
+    with pytest.warns(UserWarning, match="non-manifold edges cut") as warned:
+        mesh = gb.Mesh(VERTICES, FACES, repair=True)
     assert len(warned) == 1
     assert mesh.distances(2)[7] == 1 + np.sqrt(2)
+    again = pickle.loads(pickle.dumps(mesh))
+    assert (again.distances(2) == mesh.distances(2)).all()
 
 
 def test_a_solver_that_does_not_cross_them_says_so() -> None:
