@@ -39,6 +39,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_mesh_command(app);
   add_generate_command(app);
   add_solve_command(app);
+  add_path_command(app);
   add_trace_command(app);
   add_verify_command(app);
   add_run_command(app, command_line);

@@ -28,6 +28,9 @@ void add_generate_command(CLI::App& app);
 /// several threads. Prints a JSON object and writes distances to a file.
 void add_solve_command(CLI::App& app);
 
+/// `path MESH --through POINTS`: paths through several points, closed and straightened on request.
+void add_path_command(CLI::App& app);
+
 /// `trace MESH --from POINT --direction X,Y,Z --length L`: a straightest line.
 void add_trace_command(CLI::App& app);
 

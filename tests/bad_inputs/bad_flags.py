@@ -78,7 +78,12 @@ CASES = [
     flag(f"{SOLVE} --output nowhere/d.txt", "cannot write 'nowhere/d.txt'", "No such file"),
     flag(f"{SOLVE} --output .", "cannot write '.': it is a folder"),
     flag(f"{SOLVE} --output d.ply --each", "'d.ply' is a mesh with the distances of one query"),
-    # trace
+    # path and trace
+    of("path", "hill.obj", "--through is required"),
+    flag("geodesic-bench path hill.obj --through 0", "at least two"),
+    flag("geodesic-bench path hill.obj --through 0,99", "--through 99: vertex 99 is not in the mesh"),
+    flag("geodesic-bench path hill.obj --through 0,1 --solver dijkstra", "dijkstra does not remember paths"),
+    flag("geodesic-bench path hill.obj --through 0,1,2 --closed --straighten", "the loop shrinks to a point"),
     of("trace", "hill.obj --length 1", "--from is required"),
     flag("geodesic-bench trace hill.obj --from 0 --length 1", "one of --direction and --angle is needed"),
     flag("geodesic-bench trace hill.obj --from 0,1 --length 1 --angle 0", "--from takes one point"),

@@ -10,9 +10,12 @@ namespace {
 
 class CommandLine : public ProgramTest {
  protected:
-  /// Runs solve, expects success and returns the JSON that it prints.
-  nlohmann::json solve(std::vector<std::string> words) const {
-    words.insert(words.begin(), "solve");
+  /// Runs a command, expects success and returns the JSON that it prints.
+  nlohmann::json solve(const std::vector<std::string>& words) const {
+    return json_of("solve", words);
+  }
+  nlohmann::json json_of(const std::string& command, std::vector<std::string> words) const {
+    words.insert(words.begin(), command);
     const Output output = run(PROGRAM, words);
     EXPECT_EQ(output.code, 0) << output.err;
     return nlohmann::json::parse(output.out);
@@ -289,6 +292,31 @@ TEST_F(CommandLine, SolveWritesPathsAndTheNearestSources) {
   EXPECT_EQ(traced[0].at("source"), 0);
   EXPECT_NEAR(traced[0].at("length").get<double>(), 0.25, 1e-15);
   EXPECT_EQ(traced[1].at("length"), 0.0);
+}
+
+TEST_F(CommandLine, PathJoinsPointsAndClosesAndTraceGoesStraightOn) {
+  const auto file = folder_ / "path.json";
+  EXPECT_NEAR(json_of("path", {"tetrahedron", "--through", "1,0,2"}).at("length").get<double>(), 2,
+              1e-15);
+  const nlohmann::json loop =
+      json_of("path", {"tetrahedron", "--through", "1,0,2", "--closed", "--output", file.string()});
+  EXPECT_NEAR(loop.at("length").get<double>(), 2 + std::sqrt(2), 1e-15);
+  EXPECT_EQ(read_json(file).at("paths").at(0).at("length"), loop.at("length"));
+  const nlohmann::json line = json_of("trace", {"tetrahedron", "--from", "0", "--angle", "0",
+                                                "--length", "0.25", "--output", file.string()});
+  EXPECT_NEAR(line.at("length").get<double>(), 0.25, 1e-15);
+  EXPECT_EQ(line.at("ends_at_boundary"), false);
+  EXPECT_EQ(read_json(file).at("paths").at(0).at("points").back().at("position"), line.at("end"));
+}
+
+TEST_F(CommandLine, SolveWritesAnglesAndTheMeshWithItsDistances) {
+  const auto table = folder_ / "polar.csv", mesh = folder_ / "field.ply";
+  solve({"tetrahedron", "--source", "0", "--angles", "--output", table.string()});
+  EXPECT_TRUE(read(table).starts_with("vertex,distance,angle\n0,0,0\n"));
+  solve({"tetrahedron", "--source", "0", "--output", mesh.string()});
+  EXPECT_NE(read(mesh).find("property double quality"), std::string::npos);
+  const nlohmann::json again = solve({mesh.string(), "--source", "0"});
+  EXPECT_EQ(again.at("vertices"), 4);
 }
 
 TEST_F(CommandLine, SolveWritesIsolinesOfEachLevel) {

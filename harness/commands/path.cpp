@@ -1,0 +1,88 @@
+#include <iostream>
+#include <memory>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
+#include "harness/commands/commands.h"
+#include "harness/commands/values.h"
+#include "harness/corpus/manifest.h"
+#include "harness/corpus/points.h"
+#include "meshes/load.h"
+#include "meshes/path_file.h"
+#include "solvers/core/registry.h"
+#include "solvers/paths/through.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct PathFlags {
+  std::string mesh, through, output, solver = "edge-based";
+  ThroughOptions how;
+  std::optional<double> weld;
+  bool repair = false;
+  std::string manifest = default_manifest().string();
+};
+
+void find_path(const PathFlags& flags) {
+  const std::vector<WrittenPoint> written = parse_points(flags.through, "--through");
+  if (!flags.output.empty()) check_path_file(flags.output);
+  const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
+  const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair, .weld = flags.weld});
+  for (const std::string& warning : built.loaded.warnings) {
+    std::cerr << "geodesic-bench: " << harmless(entry.file.string() + ": " + warning) << '\n';
+  }
+  const NearestPointSearch surface(*built.mesh);
+  std::vector<SurfacePoint> points;
+  for (const WrittenPoint& point : written) points.push_back(place(point, surface).at);
+  try {
+    const std::unique_ptr<Solver> solver = make_solver(flags.solver, *built.mesh);
+    if (!solver->description().abilities.paths) {
+      throw HarnessError(solver->description().name + " does not remember paths");
+    }
+    const Path path = path_through(*solver, *built.mesh, points, flags.how);
+    if (!flags.output.empty()) write_bytes(flags.output, path_bytes({{path}}, flags.output));
+    const Json json{{"mesh", entry.name},
+                    {"length", path.length()},
+                    {"faces", path.points.size() - 1},
+                    {"closed", flags.how.closed},
+                    {"straightened", flags.how.straighten}};
+    std::cout << json.dump(2) << std::endl;
+  } catch (const std::invalid_argument& error) {
+    throw HarnessError(entry.name + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+void add_path_command(CLI::App& app) {
+  const auto flags = std::make_shared<PathFlags>();
+  CLI::App* command = app.add_subcommand(
+      "path", "Shortest paths from each point to the next one, joined; print the length as JSON");
+  command->footer(
+      "\nExamples:\n  geodesic-bench path bunny.ply --through 0,12,at:0,0.1,0 -o path.obj\n"
+      "  geodesic-bench path handle.ply --through 5,99,310 --closed --straighten -o loop.obj");
+  command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
+      ->required()
+      ->type_name("MESH");
+  command
+      ->add_option("--through", flags->through,
+                   std::string("two points or more, separated by commas: ") + kPointForms)
+      ->required()
+      ->type_name("POINTS");
+  command->add_flag("--closed", flags->how.closed, "go back from the last point to the first one");
+  command->add_flag("--straighten", flags->how.straighten,
+                    "pull the path tight: the locally shortest curve of its class, which keeps its "
+                    "ends unless it is closed, and need not pass the other points");
+  command->add_option("--solver", flags->solver, "solver (default: " + flags->solver + ")")
+      ->type_name("NAME");
+  command->add_option("-o,--output", flags->output, "file for the path: .obj, .ply or .json")
+      ->type_name("FILE");
+  add_weld_option(*command, flags->weld);
+  command->add_flag("--repair", flags->repair, "repair defects of the mesh; joins no vertices");
+  command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
+      ->type_name("FILE");
+  command->callback([flags] { find_path(*flags); });
+}
+
+}  // namespace geodesic::harness
