@@ -38,6 +38,15 @@ TEST(Counters, AreNeverNonFinite) {
   EXPECT_FALSE(counters_of(recording, square()).wavefront_sd);
 }
 
+TEST(Counters, SpreadOfTheWavefrontIsInEdgeLengthsToo) {
+  Recording recording;
+  recording.wavefront_sd = 3;
+  const Mesh mesh = square();
+  EXPECT_DOUBLE_EQ(counters_of(recording, mesh).wavefront_sd_edges.value(),
+                   3 / mesh.mean_edge_length());
+  EXPECT_NE(mesh.mean_edge_length(), 1);
+}
+
 TEST(Counters, AreAllVisited) {
   Recording recording;
   recording.window_propagations = recording.windows_created = recording.valid_windows =
