@@ -21,10 +21,9 @@ MeshFile file_of(TriangleSoup soup) {
   return file;
 }
 
-/// With the options' names in C++, for messages.
+/// With the option's name in C++, for messages.
 LoadOptions named(LoadOptions options) {
   options.repair_option = "{.repair = true}";
-  options.weld_option = "{.weld = 0}";
   return options;
 }
 

@@ -41,9 +41,8 @@ struct LoadedMesh {
 };
 
 /// @throws MeshError if the file cannot be read, if `weld` is no distance, if `avoid` is not of
-/// this
-///         mesh or leaves no face, if it has defects that are errors and `repair` is false, or if
-///         no face remains after the repair
+///         this mesh or leaves no face, if it has defects that are errors and `repair` is false, or
+///         if no face remains after the repair
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// As above, for a file that was already read.
@@ -76,8 +75,7 @@ std::string list_seams(const DefectReport& report, const std::string& weld_optio
 /// Joins the vertices of a file, and then leaves faces out, as the options say.
 /// @param name the file's name, for messages
 /// @return what the weld did
-/// @throws MeshError for a distance that is negative or not finite, and for the reasons of
-/// leave_out
+/// @throws MeshError for a distance that is negative or not finite, and as leave_out
 std::vector<RepairAction> weld_and_leave_out(MeshFile& file, const std::string& name,
                                              const LoadOptions& options);
 

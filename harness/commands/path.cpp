@@ -5,10 +5,9 @@
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/one_mesh.h"
 #include "harness/commands/values.h"
-#include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
-#include "meshes/load.h"
 #include "meshes/path_file.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/through.h"
@@ -17,21 +16,15 @@ namespace geodesic::harness {
 namespace {
 
 struct PathFlags {
-  std::string mesh, through, output, solver = "edge-based";
+  OneMesh mesh;
+  std::string through, output, solver = "edge-based";
   ThroughOptions how;
-  std::optional<double> weld;
-  bool repair = false;
-  std::string manifest = default_manifest().string();
 };
 
 void find_path(const PathFlags& flags) {
   const std::vector<WrittenPoint> written = parse_points(flags.through, "--through");
   if (!flags.output.empty()) check_path_file(flags.output);
-  const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
-  const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair, .weld = flags.weld});
-  for (const std::string& warning : built.loaded.warnings) {
-    std::cerr << "geodesic-bench: " << harmless(entry.file.string() + ": " + warning) << '\n';
-  }
+  const auto [entry, built] = read_one(flags.mesh);
   const NearestPointSearch surface(*built.mesh);
   std::vector<SurfacePoint> points;
   for (const WrittenPoint& point : written) points.push_back(place(point, surface).at);
@@ -62,9 +55,7 @@ void add_path_command(CLI::App& app) {
   command->footer(
       "\nExamples:\n  geodesic-bench path bunny.ply --through 0,12,at:0,0.1,0 -o path.obj\n"
       "  geodesic-bench path handle.ply --through 5,99,310 --closed --straighten -o loop.obj");
-  command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
-      ->required()
-      ->type_name("MESH");
+  add_mesh_options(*command, flags->mesh);
   command
       ->add_option("--through", flags->through,
                    std::string("two points or more, separated by commas: ") + kPointForms)
@@ -77,10 +68,6 @@ void add_path_command(CLI::App& app) {
   command->add_option("--solver", flags->solver, "solver (default: " + flags->solver + ")")
       ->type_name("NAME");
   command->add_option("-o,--output", flags->output, "file for the path: .obj, .ply or .json")
-      ->type_name("FILE");
-  add_weld_option(*command, flags->weld);
-  command->add_flag("--repair", flags->repair, "repair defects of the mesh; joins no vertices");
-  command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
   command->callback([flags] { find_path(*flags); });
 }

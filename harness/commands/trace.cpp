@@ -5,10 +5,9 @@
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/one_mesh.h"
 #include "harness/commands/values.h"
-#include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
-#include "meshes/load.h"
 #include "meshes/path_file.h"
 #include "solvers/paths/straightest.h"
 
@@ -16,12 +15,11 @@ namespace geodesic::harness {
 namespace {
 
 struct TraceFlags {
-  std::string mesh, from, output;
+  OneMesh mesh;
+  std::string from, output;
   std::vector<double> direction;
-  std::optional<double> angle, weld;
+  std::optional<double> angle;
   double length = 0;
-  bool repair = false;
-  std::string manifest = default_manifest().string();
 };
 
 void trace_line(const TraceFlags& flags) {
@@ -31,11 +29,7 @@ void trace_line(const TraceFlags& flags) {
     throw HarnessError("one of --direction and --angle is needed: where the line goes");
   }
   if (!flags.output.empty()) check_path_file(flags.output);
-  const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
-  const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair, .weld = flags.weld});
-  for (const std::string& warning : built.loaded.warnings) {
-    std::cerr << "geodesic-bench: " << harmless(entry.file.string() + ": " + warning) << '\n';
-  }
+  const auto [entry, built] = read_one(flags.mesh);
   const Mesh& mesh = *built.mesh;
   const PlacedPoint placed = place(written.front(), NearestPointSearch(mesh));
   const SurfacePoint begin = placed.at;
@@ -68,9 +62,7 @@ void add_trace_command(CLI::App& app) {
   command->footer(
       "\nExample:\n  geodesic-bench trace bunny.ply --from 12 --direction 0,0,1 --length 0.1 -o "
       "line.obj");
-  command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
-      ->required()
-      ->type_name("MESH");
+  add_mesh_options(*command, flags->mesh);
   command->add_option("--from", flags->from, std::string("where the line begins: ") + kPointForms)
       ->required()
       ->type_name("POINT");
@@ -89,10 +81,6 @@ void add_trace_command(CLI::App& app) {
                    "length of the line, which ends at the boundary if it reaches that before")
       ->required();
   command->add_option("-o,--output", flags->output, "file for the line: .obj, .ply or .json")
-      ->type_name("FILE");
-  add_weld_option(*command, flags->weld);
-  command->add_flag("--repair", flags->repair, "repair defects of the mesh; joins no vertices");
-  command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
   command->callback([flags] { trace_line(*flags); });
 }

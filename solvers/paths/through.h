@@ -20,9 +20,8 @@ struct ThroughOptions {
 /// @param solver a solver on this mesh that supports paths (Abilities::paths) and these points
 /// @param points at least two; they may repeat
 /// @return its source is 0
-/// @throws std::invalid_argument for fewer points, a point that is not of this mesh, a piece that
-/// no
-///         path leads over, and the reasons of `straightened`
+/// @throws std::invalid_argument for fewer points, a point that is not of this mesh, a piece over
+///         which no path leads, and the reasons of `straightened`
 Path path_through(Solver& solver, const Mesh& mesh, std::span<const SurfacePoint> points,
                   const ThroughOptions& options = {});
 
