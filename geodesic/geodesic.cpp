@@ -48,22 +48,16 @@ std::span<const double> Field::distances() const& {
 }
 
 std::vector<double> Field::at(std::span<const SurfacePoint> points,
-                              const std::function<void()>& before_each) const {
+                              const std::function<void()>& before_some) const {
+  if (paths_) return paths_->distances_at(points, before_some);
   std::vector<double> found;
-  if (paths_) {
-    for (const SurfacePoint& point : points) {
-      if (before_each) before_each();
-      found.push_back(paths_->distance_at(point));
-    }
-    return found;
-  }
   for (const SurfacePoint& point : points) {
     const std::string defect = defect_of(*mesh_, point);
     if (!defect.empty()) throw std::invalid_argument(defect);
     found.push_back(point.is_vertex() ? (*distances_)[point.vertex] : kInfinity);
   }
   if (std::ranges::all_of(points, &SurfacePoint::is_vertex)) return found;
-  if (before_each) before_each();
+  if (before_some) before_some();
   Query query = query_;
   query.targets.assign(points.begin(), points.end());
   std::vector<double> all(distances_->size()), at_targets(points.size());
@@ -80,8 +74,6 @@ std::optional<Path> Field::find_path_to(const SurfacePoint& point) const {
   return paths().find_to_point(point);
 }
 
-Index Field::nearest_source(Index vertex) const { return paths().nearest_source(vertex); }
-
 std::vector<Index> Field::nearest_sources() const { return paths().nearest_sources(); }
 
 const Paths& Field::paths() const {
@@ -97,12 +89,14 @@ DistanceSolver::DistanceSolver(const Mesh& mesh, std::string_view solver)
     : DistanceSolver(SurfaceMesh(std::shared_ptr<const Mesh>(std::shared_ptr<void>(), &mesh)),
                      solver) {}
 
-Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> shared, Query query) {
+Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> shared, Query query,
+                  bool anywhere) {
   const Mesh& mesh = *shared;
   const Description& description = solver.solver().description();
   Field field(description.name, std::move(shared));
   if (description.abilities.paths) {
-    field.paths_ = std::make_shared<const Paths>(solve_paths(solver.solver(), mesh, query));
+    field.paths_ =
+        std::make_shared<const Paths>(solve_paths(solver.solver(), mesh, query, anywhere));
     return field;
   }
   std::vector<double> distances(mesh.vertex_count());

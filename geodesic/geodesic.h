@@ -74,6 +74,10 @@ SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& opti
 
 struct FieldOptions {
   double limit = kInfinity;  ///< points farther away count as unreachable
+  /// Keeps the windows of the solve, in about 2 kB a vertex: the distance of any point then takes a
+  /// microsecond, as do its gradient and the beginning of its path. Of solvers that propagate
+  /// windows; ignored by others.
+  bool anywhere = false;
 };
 
 /// The distances from the nearest of some sources, and the paths from it. Immutable: any number of
@@ -89,13 +93,20 @@ class Field {
   double operator[](Index vertex) const { return distances()[vertex]; }
 
   /// Distance of any point, as exact as the solver. For a vertex it is looked up. For other points
-  /// the data of the solve are searched; a solver that does not remember paths solves again.
+  /// it takes a microsecond with FieldOptions::anywhere; otherwise the data of the solve are
+  /// searched, for milliseconds. A solver that does not remember paths solves again.
   /// @throws std::invalid_argument when the point is not of this mesh
   double at(const SurfacePoint& point) const { return at(std::span(&point, 1)).front(); }
   /// Distances of several points, as above; a solver that does not remember paths solves once.
-  /// @param before_each called before each search; may throw to end the call
+  /// @param before_some called before each search or solve, or before every 1,000 points or so; may
+  /// throw to end the call
   std::vector<double> at(std::span<const SurfacePoint> points,
-                         const std::function<void()>& before_each = {}) const;
+                         const std::function<void()>& before_some = {}) const;
+  /// The gradient of the distance: a vector of length 1 in the plane of a face, in which the
+  /// shortest path arrives at the point. It is not a number at a source and where no path leads.
+  /// @throws std::invalid_argument when the point is not of this mesh, the solver does not remember
+  ///         paths, or the point is no vertex and FieldOptions::anywhere was not set
+  Vec3 gradient(const SurfacePoint& point) const { return paths().gradient_at(point); }
 
   /// A shortest path from the nearest source to a vertex or a point, without another solve.
   /// @throws std::invalid_argument when the point is not of this mesh, no path leads there within
@@ -104,9 +115,10 @@ class Field {
   /// As path_to; nullopt where no path leads.
   std::optional<Path> find_path_to(const SurfacePoint& point) const;
 
-  /// The source of the path to a vertex, as an index into the sources; kNone where no path leads.
+  /// The source of the path to a vertex or a point, as an index into the sources; kNone where no
+  /// path leads.
   /// @throws std::invalid_argument for the other reasons of `path_to`
-  Index nearest_source(Index vertex) const;
+  Index nearest_source(const SurfacePoint& point) const { return paths().nearest_source(point); }
   /// Those of all vertices, in linear time.
   std::vector<Index> nearest_sources() const;
 
@@ -129,7 +141,8 @@ class Field {
   std::vector<double> levels(Index count) const { return equal_levels(distances(), count); }
 
  private:
-  friend Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query);
+  friend Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query,
+                           bool anywhere);
   Field(std::string solver, std::shared_ptr<const Mesh> mesh)
       : solver_(std::move(solver)), mesh_(std::move(mesh)) {}
   /// @throws std::invalid_argument when the solver does not remember paths
@@ -145,8 +158,10 @@ class Field {
 
 /// Solves a query without targets with a solver that the caller keeps, as DistanceSolver does.
 /// @param solver a solver on this mesh, without inserted points
+/// @param anywhere as FieldOptions::anywhere
 /// @throws std::invalid_argument for the reasons of DistanceSolver::from
-Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query);
+Field solve_field(PointSolver& solver, std::shared_ptr<const Mesh> mesh, Query query,
+                  bool anywhere);
 
 /// Computes distances on one mesh. It keeps its memory from one call to the next and must be used
 /// by one thread at a time. Any number of solvers may share a mesh. It may be moved.
@@ -175,7 +190,7 @@ class DistanceSolver {
   Field from(Sources&& sources, const FieldOptions& options = {}) {
     Query query{.sources = {}, .limit = options.limit};
     for (const auto& source : sources) query.sources.push_back(source_at(source));
-    return solve_field(solver_, mesh_, std::move(query));
+    return solve_field(solver_, mesh_, std::move(query), options.anywhere);
   }
 
   /// The shortest paths between successive points, joined, or the locally shortest curve in their

@@ -92,9 +92,9 @@ def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
     @param vertices, faces numbers of vertices and faces of the mesh"""
     if isinstance(values, Place):
         values = numbers(values, f"the coordinates of a {what}").reshape(-1, 3)
-    if _names_a_face(values):
-        face, weights = _face_and_weights(values, what, faces)
-        return Points(np.array([NONE]), np.array([face], np.uint32), weights.reshape(1, 3))
+    if _names_a_face(values) or _names_faces(values):
+        in_faces, weights = _faces_and_weights(values, what, faces)
+        return Points(np.full(len(in_faces), NONE), in_faces, weights)
     if isinstance(values, tuple | list) and any(
         isinstance(value, Place) or _names_a_face(value) for value in values
     ):
@@ -144,7 +144,9 @@ def point_sets(values: Any, what: str, vertices: int, faces: int) -> PointSets:
 
 def _has_sets(values: Any) -> bool:
     """Whether the values are a list of which some items are lists of points, and not a list of places."""
-    if not isinstance(values, tuple | list) or isinstance(values, Place) or _names_a_face(values):
+    if not isinstance(values, tuple | list) or isinstance(values, Place):
+        return False
+    if _names_a_face(values) or _names_faces(values):
         return False
     others = [value for value in values if not (isinstance(value, Place) or _names_a_face(value))]
     if not any(isinstance(value, _LISTED) and getattr(value, "shape", None) != () for value in others):
@@ -184,19 +186,37 @@ def _names_a_face(point: object) -> bool:
     )
 
 
-def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[np.float64]]:
-    face = _integers(point[0], f"the face of a {what}")
-    weights = numbers(point[1], f"the weights of a {what}")
-    if face.ndim or weights.shape != (3,):
+def _names_faces(points: object) -> bool:
+    """Whether the points have the form of two arrays, of k faces and of their weights."""
+    return (
+        isinstance(points, tuple)
+        and len(points) == 2
+        and all(isinstance(array, np.ndarray) for array in points)
+        and points[0].ndim == 1
+        and points[0].dtype.kind in "iu"
+        and points[1].shape == (len(points[0]), 3)
+    )
+
+
+def _faces_and_weights(
+    points: Any, what: str, faces: int
+) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
+    """Converts a face and its weights, or k of them, to arrays of shape (k,) and (k, 3)."""
+    given = _integers(points[0], f"the face of a {what}")
+    weights = numbers(points[1], f"the weights of a {what}")
+    if weights.shape != (*given.shape, 3):
         raise ValueError(_NO_POINT.format(what))
-    if not 0 <= face < faces:
-        raise _not_in_mesh(f"{what} face", face, faces, "faces")
-    if not (np.isfinite(weights).all() and weights.min() >= 0 and weights.any()):
+    given, weights = given.reshape(-1), weights.reshape(-1, 3)
+    outside = (given < 0) | (given >= faces)
+    if outside.any():
+        raise _not_in_mesh(f"{what} face", given[outside.argmax()], faces, "faces")
+    wrong = ~(np.isfinite(weights) & (weights >= 0)).all(axis=1) | ~weights.any(axis=1)
+    if wrong.any():
         raise ValueError(
             f"the weights of a {what} must be finite, none negative, and not all 0,"
-            f" not {tuple(weights.tolist())}"
+            f" not {tuple(weights[wrong.argmax()].tolist())}"
         )
-    return int(face), weights
+    return given.astype(np.uint32), weights
 
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:

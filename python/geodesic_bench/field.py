@@ -21,10 +21,11 @@ if TYPE_CHECKING:
 
 class Field:
     """The distances from the nearest of some sources, and the paths from it, from `Mesh.solve`. It is immutable,
-    and any number of threads may use it. It keeps its mesh, and 32 bytes a vertex; no solver.
+    and any number of threads may use it. It keeps its mesh, and 32 bytes a vertex, with `anywhere=True` about
+    2,000; no solver.
 
-    With a solver that does not remember paths, `distances`, `at` and `isolines` work; `nearest`, `path_to` and
-    `paths_to` raise a ValueError.
+    With a solver that does not remember paths, `distances`, `at` and `isolines` work; the others raise a
+    ValueError.
 
     >>> from geodesic_bench import Mesh
     >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -61,9 +62,10 @@ class Field:
         Parameters
         ----------
         points : (k,) integers, or k points, or one
-            As the sources of `Mesh.distances`. The distance of a vertex is looked up. For another point the data
-            of the solve are searched, on scans for 1 to 10 ms in the mean; a solver that does not remember paths
-            solves once more for all.
+            As the sources of `Mesh.distances`. The distance of a vertex is looked up. Another point takes about a
+            microsecond in a field that was solved with `anywhere=True`. Otherwise the data of the solve are
+            searched, on scans for 1 to 10 ms in the mean; a solver that does not remember paths solves once more
+            for all.
 
         Returns
         -------
@@ -76,6 +78,43 @@ class Field:
         array([3. , 2.5])
         """
         return self._solved.at(self.mesh._points(points, "point"))
+
+    def nearest_at(self, points: SurfacePoints) -> NDArray[np.int64]:
+        """Returns the nearest sources of points, as indices into the sources.
+
+        Parameters
+        ----------
+        points : (k,) integers, or k points, or one
+            As in `at`, which takes as long.
+
+        Returns
+        -------
+        (k,) int64
+            -1 where the distance is inf.
+        """
+        return self._solved.nearest_at(self.mesh._points(points, "point"))
+
+    def gradient(self, points: SurfacePoints) -> NDArray[np.float64]:
+        """Returns the gradients of the distance at points: vectors of length 1 in the planes of their faces, in
+        which the shortest path arrives. At a vertex that is the plane of the face in which the path ends.
+
+        Parameters
+        ----------
+        points : (k,) integers, or k points, or one
+            As in `at`. For others than vertices the field must be solved with `anywhere=True`.
+
+        Returns
+        -------
+        (k, 3) float64
+            nan at a source and where no path leads within the limit. The negative gradient points back along the
+            path.
+
+        >>> from geodesic_bench import Mesh
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.solve(0, anywhere=True).gradient((0, (0, 1, 1)))
+        array([[0.6, 0.8, 0. ]])
+        """
+        return self._solved.gradients(self.mesh._points(points, "point"))
 
     def path_to(self, point: SurfacePoint) -> Path:
         """Returns a shortest path from the nearest source to a point, without another solve.

@@ -73,9 +73,9 @@ SurfacePoint = ArrayLike | tuple[int, ArrayLike] | Place
 """A vertex, which is an integer; a point in a face, which is a tuple of the face and a weight for each of its
 corners; or a Place. The weights are divided by their sum; on an edge one of them is 0."""
 
-SurfacePoints = SurfacePoint | Sequence[SurfacePoint]
-"""One point; an array of vertices, integers of shape (k,); one of places, floats of shape (k, 3); or a list of
-any points."""
+SurfacePoints = SurfacePoint | Sequence[SurfacePoint] | tuple[NDArray[Any], NDArray[Any]]
+"""One point; an array of vertices, integers of shape (k,); one of places, floats of shape (k, 3); a tuple of
+arrays for points in faces, integers of shape (k,) and weights of shape (k, 3); or a list of any points."""
 
 
 class Mesh:
@@ -230,7 +230,8 @@ class Mesh:
         ----------
         sources : (k,) integers, or k points, or one
             Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face 7,
-            `Place(0.1, 0.2, 0)` is the point of the surface that is nearest to this place. Floats of
+            `Place(0.1, 0.2, 0)` is the point of the surface that is nearest to this place. Two arrays
+            `(faces, weights)` of shapes (k,) and (k, 3) are k points in faces. Floats of
             shape (k, 3) are k places; one warning is given if any is far from the surface. All solvers
             accept all points. For a solver that supports only vertices, each call makes a finer mesh in which
             the points are vertices.
@@ -287,7 +288,7 @@ class Mesh:
             return _native.distances(pool, *begins, ends, most)
         if ends is not None:
             return _native.targets_and_nearest(pool, *begins, ends, most)
-        solved = _native.solve(pool, *begins, most)
+        solved = _native.solve(pool, *begins, most, False)
         return solved.distances.copy(), solved.nearest
 
     def solve(
@@ -296,6 +297,7 @@ class Mesh:
         *,
         initial: ArrayLike | None = None,
         limit: float | None = None,
+        anywhere: bool = False,
         solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> Field:
@@ -306,6 +308,10 @@ class Mesh:
         sources : (k,) integers, or k points, or one
         initial : (k,) numbers or one number, >= 0, optional
         limit : float, optional
+            As in `distances`.
+        anywhere : bool
+            Keep the windows of the solve, in about 2 kB a vertex, so that `Field.at`, `nearest_at` and `gradient`
+            take about a microsecond for any point of the surface. Solvers that do not propagate windows ignore it.
         solver : str or Prepared
         parameters
             As in `distances`. A solver that remembers paths records them, which makes the solve 1.5 to 1.8 times
@@ -318,7 +324,7 @@ class Mesh:
         """
         begins = self._sources(sources, initial)
         pool = self._pool(solver, parameters, self.solve)
-        return Field(self, _native.solve(pool, *begins, _limit(limit)))
+        return Field(self, _native.solve(pool, *begins, _limit(limit), anywhere))
 
     def path(
         self,

@@ -397,10 +397,10 @@ py::list paths(const PoolPointer& pool, const SurfacePoints& sources, const Arra
 using FieldPointer = std::shared_ptr<const Field>;
 
 FieldPointer solve(const PoolPointer& pool, const SurfacePoints& sources,
-                   const Array<double>& initial, double limit) {
+                   const Array<double>& initial, double limit, bool anywhere) {
   return in_background([=, query = query_of(sources, initial, {}, limit)](Task&) -> FieldPointer {
     const BorrowedSolver solver(pool);
-    return std::make_shared<Field>(solve_field(*solver, pool->mesh(), query));
+    return std::make_shared<Field>(solve_field(*solver, pool->mesh(), query, anywhere));
   });
 }
 
@@ -411,6 +411,33 @@ py::array_t<std::int64_t> nearest_sources(const FieldPointer& solved) {
 py::array_t<double> distances_at(const FieldPointer& solved, const SurfacePoints& points) {
   return array_of(in_background(
       [=](Task& task) { return solved->at(points.points, [&] { task.throw_if_abandoned(); }); }));
+}
+
+py::array_t<std::int64_t> nearest_sources_at(const FieldPointer& solved,
+                                            const SurfacePoints& points) {
+  return signed_indices(in_background([=](Task& task) {
+    std::vector<Index> nearest;
+    for (const SurfacePoint& point : points.points) {
+      task.throw_if_abandoned();
+      nearest.push_back(solved->nearest_source(point));
+    }
+    return nearest;
+  }));
+}
+
+/// @return of shape (k, 3)
+py::array_t<double> gradients_at(const FieldPointer& solved, const SurfacePoints& points) {
+  std::vector<double> numbers = in_background([=](Task& task) {
+    std::vector<double> found;
+    for (const SurfacePoint& point : points.points) {
+      task.throw_if_abandoned();
+      const Vec3 gradient = solved->gradient(point);
+      found.insert(found.end(), gradient.begin(), gradient.end());
+    }
+    return found;
+  });
+  const auto rows = static_cast<py::ssize_t>(numbers.size() / 3);
+  return array_of(std::move(numbers), {rows, 3});
 }
 
 /// As `paths`, from a field, without another solve.
@@ -663,6 +690,8 @@ PYBIND11_MODULE(_native, module) {
                              })
       .def_property_readonly("nearest", &nearest_sources)
       .def("at", &distances_at)
+      .def("nearest_at", &nearest_sources_at)
+      .def("gradients", &gradients_at)
       .def("paths_to", &paths_to)
       .def("log_map", &log_map_of)
       .def("file_bytes", [](const Field& self, const std::filesystem::path& file) {

@@ -103,6 +103,8 @@ struct NoRecorder {
   // As those of PathRecorder.
   constexpr void arrived(Index /*v*/, NoLastSegment /*last_segment*/) {}
   constexpr void crosses(Index /*h*/, const Window& /*w*/, Index /*root*/) {}
+  template <class ForEachWindow>
+  constexpr void crosses(Index /*h*/, const ForEachWindow& /*for_each_window*/) {}
 
   /// The given phase runs during the lifetime of the result (phase_timer.h).
   struct [[nodiscard]] NoScope {
@@ -230,6 +232,12 @@ struct PathRecorder : NoRecorder {
   /// Call for every window that crosses the face of h, before other windows of its edge trim it.
   /// @param w in the frame of h; @param root as in LastSegment
   void crosses(Index h, const Window& w, Index root) { segments.crosses(h, w, root); }
+  /// The same for several windows.
+  /// @param for_each_window calls its argument as (const Window&, Index root)
+  template <class ForEachWindow>
+  void crosses(Index h, const ForEachWindow& for_each_window) {
+    segments.crosses(h, for_each_window);
+  }
 
   LastSegments& segments;
 };
@@ -240,7 +248,7 @@ template <class Solve>
 void solve_recording(const Mesh& mesh, const InternalQuery& query,
                      std::span<const double> distances, Recording& recording, Solve&& solve) {
   if (recording.kind == RecordingKind::paths) {
-    LastSegments segments(mesh, query);
+    LastSegments segments(mesh, query, recording.keeps_windows);
     solve(PathRecorder(segments));
     return segments.finish(distances, recording);
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "solvers/core/window.h"
 
 namespace geodesic {
+
+class FaceWindows;
 
 /// Wavefront distances of all windows on the wavefront at one moment, in the mesh's unit.
 struct WavefrontSample {
@@ -122,6 +125,8 @@ struct Recording : SolveCounters {
   /// For RecordingKind::windows: called once at the end of the solve, by solvers that keep windows
   /// (Description::final_windows).
   const ReadWindows* read_windows = nullptr;
+  /// For RecordingKind::paths: whether all windows that cross faces are kept (face_windows).
+  bool keeps_windows = false;
 
   std::optional<PhaseTimes> phase_times;
 
@@ -137,6 +142,8 @@ struct Recording : SolveCounters {
   /// For RecordingKind::paths, in internal numbers: by vertex, and in the order of Query::targets.
   std::vector<LastSegment> last_segments = {};
   std::vector<AtTarget> targets = {};
+  /// With `keeps_windows`, of solvers that propagate windows; otherwise null.
+  std::shared_ptr<const FaceWindows> face_windows = nullptr;
 
   bool operator==(const Recording&) const = default;
 };

@@ -27,6 +27,7 @@ void forget_results(Recording& recording) {
   empty.kind = recording.kind;
   empty.snapshots_at = std::move(recording.snapshots_at);
   empty.read_windows = recording.read_windows;
+  empty.keeps_windows = recording.keeps_windows;
   recording = std::move(empty);
 }
 

@@ -86,9 +86,9 @@ class EdgeBased final : public Solver {
   }
 
   static Carried carried_by(RecordingKind kind, bool drops_long_strips) {
+    if (drops_long_strips) return Carried::depth;
     if (kind == RecordingKind::paths) return Carried::root;
-    return kind != RecordingKind::phase_times || drops_long_strips ? Carried::depth
-                                                                   : Carried::nothing;
+    return kind == RecordingKind::phase_times ? Carried::nothing : Carried::depth;
   }
 
   /// A recorded solve; defined in recorded.h.

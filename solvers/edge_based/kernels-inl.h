@@ -147,7 +147,7 @@ void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) 
     pack.store(w.x, to[kX] + out);
     pack.store(w.y, to[kY] + out);
     pack.store(w.sigma, to[kSigma] + out);
-    for (unsigned f = kDepth; f < kFields; ++f) {
+    for (unsigned f = kRoot; f < kFields; ++f) {
       pack.store(hn::Load(kTag, from[f] + i), to[f] + out);
     }
     out += pack.count();
@@ -275,7 +275,7 @@ HWY_INLINE std::size_t unfold_onto(const FaceFrame& face, const Batch& batch, st
   pack.store(x, to[kX] + count);
   pack.store(y, to[kY] + count);
   pack.store(w.sigma, to[kSigma] + count);
-  for (unsigned f = kDepth; f < kFields; ++f) {
+  for (unsigned f = kRoot; f < kFields; ++f) {
     const Vec value = hn::LoadU(kTag, batch.array(f) + i);
     pack.store(f == kDepth ? hn::Add(value, all(1)) : value, to[f] + count);
   }

@@ -50,10 +50,10 @@ const Kernels& kernels_of(InstructionSet set, Carried carried) {
   switch (carried) {
     case Carried::nothing:
       return compiled_kernels<Carried::nothing>(set);
-    case Carried::depth:
-      return compiled_kernels<Carried::depth>(set);
-    default:
+    case Carried::root:
       return compiled_kernels<Carried::root>(set);
+    default:
+      return compiled_kernels<Carried::depth>(set);
   }
 }
 

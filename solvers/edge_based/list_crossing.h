@@ -59,8 +59,8 @@ class ListCrossing {
     if (e.twin == kNone || !(e.length > 0)) return;
     Segment* segment = lists_.allocate(1);
     segment->add({0, e.length, from.x, from.y, distance});
-    if (carried_ != Carried::nothing) segment->array(kDepth)[0] = 1;
-    if (carried_ == Carried::root) segment->array(kRoot)[0] = root;
+    if (carried_ != Carried::nothing) segment->array(kRoot)[0] = root;
+    if (carried_ == Carried::depth) segment->array(kDepth)[0] = 1;
     land(side, segment, Place::back, wavefront);
   }
 
@@ -116,7 +116,7 @@ class ListCrossing {
     } else {
       kernels_.trim(batch_, below);
     }
-    if (carried_ != Carried::nothing) drop_long_strips();
+    if (carried_ == Carried::depth) drop_long_strips();
   }
 
   /// Strategy I if windows of one edge may have come through different sheets. Lines that cross
@@ -195,10 +195,11 @@ class ListCrossing {
 
   template <class Recorder>
   void hand_over(Index h, Recorder& recorder) const {
-    if constexpr (!Recorder::kRemembers) return;
-    for (std::size_t i = 0; i < batch_.count; ++i) {
-      if (!batch_.is_struck_out(i)) recorder.crosses(h, batch_.window(i), root_of(i));
-    }
+    recorder.crosses(h, [&](const auto& crosses) {
+      for (std::size_t i = 0; i < batch_.count; ++i) {
+        if (!batch_.is_struck_out(i)) crosses(batch_.window(i), root_of(i));
+      }
+    });
   }
 
   template <class Recorder>

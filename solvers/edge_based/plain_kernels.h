@@ -108,7 +108,7 @@ inline bool find_contested(Batch& batch, const ApexWinner& winner) {
 inline void append(const Batch& batch, std::size_t i, const Window& unfolded, double length,
                    Segment& to) {
   if (is_void(unfolded, length)) return;
-  for (unsigned f = kDepth; f < batch.fields(); ++f) {
+  for (unsigned f = kRoot; f < batch.fields(); ++f) {
     to.array(f)[to.count] = batch.array(f)[i] + (f == kDepth ? 1 : 0);
   }
   to.add(unfolded);

@@ -24,17 +24,17 @@ namespace geodesic::edge_based {
 enum class Place { front, back };
 
 /// The fields of a window: one array each in a segment or batch.
-enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kRoot, kDepth };
 
 /// Additional fields of windows. A double represents whole numbers exactly.
 enum class Carried : std::uint8_t {
   nothing,
-  depth,  ///< of the window's strip, in faces: each crossed face adds 1
-  root,   ///< the depth, and the root as in LastSegment, which does not change
+  root,   ///< as in LastSegment; it does not change
+  depth,  ///< the root, and the length of the window's strip: each crossed face adds 1
 };
 
 /// Number of arrays of a segment or batch.
-constexpr unsigned fields_with(Carried carried) { return kDepth + static_cast<unsigned>(carried); }
+constexpr unsigned fields_with(Carried carried) { return kRoot + static_cast<unsigned>(carried); }
 
 /// Number of windows in the longest vectors.
 inline constexpr std::size_t kMostLanes = 8;

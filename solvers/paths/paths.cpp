@@ -1,6 +1,7 @@
 #include "solvers/paths/paths.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -33,7 +34,8 @@ Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances
     : field_(mesh, query, std::move(distances), recording.shortest_paths,
              farthest_of(query, recording)),
       last_segments_(std::move(recording.last_segments)),
-      targets_(std::move(recording.targets)) {
+      targets_(std::move(recording.targets)),
+      windows_(std::move(recording.face_windows)) {
   const std::size_t vertices = mesh.vertex_count();
   if (recording.kind != RecordingKind::paths || last_segments_.size() != vertices ||
       this->distances().size() != vertices || targets_.size() != query.targets.size()) {
@@ -41,27 +43,75 @@ Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances
   }
 }
 
-Index Paths::internal_vertex(Index given) const {
-  const std::string defect = defect_of(field_.mesh(), SurfacePoint(given));
+InternalPoint Paths::checked(const SurfacePoint& point) const {
+  const std::string defect = defect_of(field_.mesh(), point);
   if (!defect.empty()) throw std::invalid_argument(defect);
-  return field_.mesh().numbers().internal_vertex(given);
+  return in_internal_numbers(field_.mesh(), point);
+}
+
+AtTarget Paths::at(const InternalPoint& point) const {
+  const AtTarget found = windows_->nearest(point);
+  return found.distance <= field_.farthest() ? found : AtTarget{};
 }
 
 double Paths::distance_at(const SurfacePoint& point) const {
-  const std::string defect = defect_of(field_.mesh(), point);
-  if (!defect.empty()) throw std::invalid_argument(defect);
+  const InternalPoint own = checked(point);
   if (point.is_vertex()) return distances()[point.vertex];
-  return PathSearch::from_face(field_, in_internal_numbers(field_.mesh(), point)).distance;
+  return windows_ ? at(own).distance : PathSearch::from_face(field_, own).distance;
+}
+
+std::vector<double> Paths::distances_at(std::span<const SurfacePoint> points,
+                                        const std::function<void()>& before_some) const {
+  constexpr std::size_t kSome = 1024;
+  std::vector<std::pair<Index, std::size_t>> order;  // by face
+  for (std::size_t i = 0; i < points.size(); ++i) order.emplace_back(points[i].face, i);
+  if (windows_) std::ranges::sort(order);
+  std::vector<double> found(points.size());
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    if (before_some && (!windows_ || n % kSome == 0)) before_some();
+    const std::size_t i = order[n].second;
+    found[i] = distance_at(points[i]);
+  }
+  return found;
+}
+
+Vec3 Paths::gradient_at(const SurfacePoint& point) const {
+  const Mesh& mesh = field_.mesh();
+  InternalPoint end = checked(point);
+  if (!end.is_vertex() && !windows_) {
+    throw std::invalid_argument(
+        "the gradient at a point that is no vertex needs a solve with anywhere=True (in C++ "
+        "FieldOptions::anywhere)");
+  }
+  const LastSegment last = end.is_vertex() ? last_segments_[end.vertex] : at(end).last_segment;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  if (last.half_edge == kNone) return {kNaN, kNaN, kNaN};
+  const HalfEdge& e = mesh.half_edge(last.half_edge);
+  Point2 at = {e.apex_x, e.apex_y};
+  if (!end.is_vertex()) {
+    for (const InternalPoint& image : in_every_face(mesh, end)) {
+      if (image.face == last.half_edge / 3) at = in_frame(mesh, image, last.half_edge);
+    }
+  }
+  const Vec3& origin = mesh.position(e.origin);
+  const Vec3 along =
+      scale(1 / e.length, subtract(mesh.position(mesh.head(last.half_edge)), origin));
+  const Vec3 to_apex = subtract(mesh.position(mesh.apex(last.half_edge)), origin);
+  // In a face without area, paths lead along the edge.
+  const Vec3 up =
+      e.apex_y > 0 ? scale(1 / e.apex_y, subtract(to_apex, scale(e.apex_x, along))) : Vec3{};
+  const Vec3 direction = add(scale(at.x - last.from.x, along), scale(at.y - last.from.y, up));
+  return scale(1 / norm(direction), direction);
 }
 
 std::optional<Path> Paths::find_to_point(const SurfacePoint& point) const {
-  const std::string defect = defect_of(field_.mesh(), point);
-  if (!defect.empty()) throw std::invalid_argument(defect);
-  const InternalPoint own = in_internal_numbers(field_.mesh(), point);
-  if (point.is_vertex()) {
-    const double distance = distances()[point.vertex];
-    if (distance == kInfinity) return std::nullopt;
-    return trace_path(field_, last_segments_, own, distance, last_segments_[own.vertex]);
+  const InternalPoint own = checked(point);
+  if (point.is_vertex() || windows_) {
+    const AtTarget end = point.is_vertex()
+                             ? AtTarget{distances()[point.vertex], last_segments_[own.vertex]}
+                             : at(own);
+    if (end.distance == kInfinity) return std::nullopt;
+    return trace_path(field_, last_segments_, own, end.distance, end.last_segment);
   }
   const PathSearch::Piece last = PathSearch::from_face(field_, own);
   if (last.distance == kInfinity) return std::nullopt;
@@ -92,12 +142,21 @@ std::optional<Index> Paths::source_here(Index v) const {
   return field_.source_at(v);
 }
 
-Index Paths::nearest_source(Index v) const {
-  Index at = internal_vertex(v);
-  if (distances()[v] == kInfinity) return kNone;
-  for (Index bends = 0; bends <= field_.mesh().vertex_count(); ++bends) {
-    if (const auto source = source_here(at)) return *source;
-    at = last_segments_[at].root;
+Index Paths::nearest_source(const SurfacePoint& point) const {
+  const InternalPoint end = checked(point);
+  const Index vertices = field_.mesh().vertex_count();
+  Index root = end.vertex;
+  if (windows_ && !end.is_vertex()) {
+    root = at(end).last_segment.root;
+  } else if (!end.is_vertex()) {
+    const PathSearch::Piece last = PathSearch::from_face(field_, end);
+    root = last.distance < kInfinity ? last.root : kNone;
+  }
+  for (Index bends = 0; bends <= vertices; ++bends) {
+    if (root == kNone || (root < vertices && field_[root] == kInfinity)) return kNone;
+    if (root >= vertices) return root - vertices;
+    if (const auto source = source_here(root)) return *source;
+    root = last_segments_[root].root;
   }
   throw std::runtime_error(kRoundabout);
 }
@@ -122,10 +181,11 @@ std::vector<Index> Paths::nearest_sources() const {
   return given;
 }
 
-Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query) {
+Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query, bool keeps_windows) {
   std::vector<double> distances(mesh.vertex_count());
   Recording recording;
   recording.kind = RecordingKind::paths;
+  recording.keeps_windows = keeps_windows;
   solver.solve(query, distances, &recording);
   return {mesh, query, std::move(distances), std::move(recording)};
 }

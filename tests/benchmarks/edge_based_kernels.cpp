@@ -30,8 +30,8 @@ struct Crossing {
 
   const Kernels& kernels;
   const FaceFrame face = microbench::crossed_face_frame();
-  WindowLists lists{1, kDepth};
-  Batch batch{kDepth, kernels.lanes};
+  WindowLists lists{1, fields_with(Carried::nothing)};
+  Batch batch{fields_with(Carried::nothing), kernels.lanes};
   Segment *segment, *to_left, *to_right;
 };
 

@@ -18,7 +18,7 @@ namespace {
 /// filled a thousand edges earlier is consumed.
 void window_lists(benchmark::State& state) {
   constexpr Index kEdges = 1024;
-  edge_based::WindowLists lists(kEdges, edge_based::kDepth);
+  edge_based::WindowLists lists(kEdges, fields_with(edge_based::Carried::nothing));
   const auto windows = static_cast<std::size_t>(state.range(0));
   const auto add = [&](Index edge, edge_based::Place place) {
     auto* segment = lists.allocate(windows);

@@ -37,11 +37,11 @@ Problem random_problem(Random& random, std::size_t count) {
 /// Runs all kernels on one list of windows.
 Steps run(const Problem& p, InstructionSet set = InstructionSet::plain) {
   const Kernels& kernels = kernels_of(set, Carried::nothing);
-  WindowLists lists(1, kDepth, kernels.lanes);
+  WindowLists lists(1, fields_with(Carried::nothing), kernels.lanes);
   Segment* segment = lists.allocate(p.windows.size());
   for (const Window& w : p.windows) segment->add(w);
   const EndpointBounds bounds(p.face.length, p.at_origin, p.at_head);
-  Batch batch(kDepth, kernels.lanes), trimmed(kDepth, kernels.lanes);
+  Batch batch(fields_with(Carried::nothing), kernels.lanes), trimmed(fields_with(Carried::nothing), kernels.lanes);
   kernels.gather(*segment, bounds, batch);
   kernels.gather(*segment, bounds, trimmed);
   const std::size_t count = batch.count;

@@ -8,7 +8,7 @@ namespace geodesic::edge_based {
 namespace {
 
 TEST(WindowLists, use_all_blocks_again_those_of_long_segments_too) {
-  WindowLists lists(1, kDepth);
+  WindowLists lists(1, fields_with(Carried::nothing));
   const auto solve = [&] {
     std::vector<Segment*> segments;
     for (const std::size_t windows : {3u, 1000u, 600u, 400u, 400u, 9000u, 700u}) {

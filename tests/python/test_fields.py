@@ -38,6 +38,53 @@ def test_a_field_has_the_answers_of_separate_queries(solver: str, mesh: Any) -> 
         np.testing.assert_array_equal(got.points, line.points)
 
 
+@pytest.mark.parametrize("solver", ["edge-based", "mmp", "straight-graph"])
+def test_a_field_of_windows_has_the_distances_of_targets_at_any_points(solver: str, mesh: Any) -> None:
+    asked: dict[str, Any] = {"initial": [0.5, 0, 1], "solver": solver}
+    field, searched = mesh.solve(SOURCES, **asked, anywhere=True), mesh.solve(SOURCES, **asked)
+    rng = np.random.default_rng(1)
+    points = (rng.integers(len(mesh.faces), size=500), rng.dirichlet([1, 1, 1], 500))
+    at = field.at(points)
+    if solver != "straight-graph":  # which has no windows: these fields are the same
+        np.testing.assert_array_equal(at, mesh.distances(SOURCES, points, **asked))
+    np.testing.assert_allclose(at, searched.at(points), rtol=1e-12)
+    np.testing.assert_array_equal(field.nearest_at(points), searched.nearest_at(points))
+    some = list(zip(*points, strict=True))[:20]
+    for path, distance, source in zip(field.paths_to(some), at, field.nearest_at(some), strict=False):
+        assert path is not None and path.source == source
+        assert path.length + asked["initial"][path.source] == pytest.approx(distance, rel=1e-12)
+
+
+def test_two_arrays_name_the_same_points_as_a_list_of_tuples(mesh: Any) -> None:
+    faces, weights = np.array([3, 7, 3]), np.array([[1, 1, 1], [0, 1, 3.0], [0.2, 0.3, 0.5]])
+    field = mesh.solve(0, anywhere=True)
+    pairs = [(int(face), tuple(row)) for face, row in zip(faces, weights, strict=True)]
+    np.testing.assert_array_equal(field.at((faces, weights)), field.at(pairs))
+    np.testing.assert_array_equal(mesh.distances((faces, weights)), mesh.distances(pairs))
+    matrix = mesh.distance_matrix((faces, weights), [0])
+    np.testing.assert_array_equal(matrix, mesh.distance_matrix(pairs, [0]))
+    with pytest.raises(ValueError, match=r"point face 999999 is not in the mesh"):
+        field.at((np.array([3, 999999]), weights[:2]))
+    with pytest.raises(ValueError, match=r"not \(-1\.0, 1\.0, 1\.0\)"):
+        field.at((faces, np.array([[1, 1, 1], [-1.0, 1, 1], [1, 1, 1]])))
+
+
+def test_gradients_of_a_plane_lead_away_from_the_nearest_source() -> None:
+    x, y = (each.ravel() for each in np.meshgrid(np.arange(5.0), np.arange(4.0)))
+    corner = np.flatnonzero((x < 4) & (y < 3))[:, None]
+    plane = gb.Mesh(np.column_stack([x, y]), np.concatenate([corner + [0, 1, 6], corner + [0, 6, 5]]))
+    field = plane.solve([0, 19], anywhere=True)
+    places = np.column_stack([np.random.default_rng(2).uniform(0, [4, 3], (50, 2)), np.zeros(50)])
+    away = places - np.column_stack([x, y, np.zeros(20)])[[0, 19]][field.nearest_at(places)]
+    lengths = np.linalg.norm(away, axis=1)
+    np.testing.assert_allclose(field.at(places), lengths, rtol=1e-12)
+    np.testing.assert_allclose(field.gradient(places), away / lengths[:, None], atol=1e-12)
+    assert np.isnan(field.gradient(19)).all()
+    np.testing.assert_allclose(plane.solve(0).gradient(19), [[0.8, 0.6, 0]])
+    with pytest.raises(ValueError, match=r"anywhere=True"):
+        plane.solve(0).gradient((0, (1, 1, 1)))
+
+
 def test_a_field_is_read_only_and_outlives_other_queries_and_the_name_of_its_mesh(mesh: Any) -> None:
     field = mesh.solve([5, 130])
     expected, path = field.distances.copy(), field.path_to(77)

@@ -144,17 +144,28 @@ TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
 
 /// Expects the distances and path lengths of the targets from a solve without them. At the limit,
 /// rounding may decide differently.
-void expect_same_without_targets(Solver& solver, const Mesh& mesh, const Query& query) {
+/// @param keeps_windows whether these are looked at, and give the same bits; otherwise it is a
+///        search
+void expect_same_without_targets(Solver& solver, const Mesh& mesh, const Query& query,
+                                 bool keeps_windows) {
   const Paths with = solve_paths(solver, mesh, query);
-  const Paths paths = solve_paths(solver, mesh, {.sources = query.sources, .limit = query.limit});
+  const Paths paths = solve_paths(
+      solver, mesh, {.sources = query.sources, .limit = query.limit}, keeps_windows);
+  const std::vector<double> distances = paths.distances_at(query.targets);
   for (std::size_t t = 0; t < query.targets.size(); ++t) {
     SCOPED_TRACE("target " + std::to_string(t));
     const double distance = paths.distance_at(query.targets[t]);
+    EXPECT_EQ(distance, distances[t]);
     expect_near(distance, with.distance_to_target(t), 4e-16);
+    if (keeps_windows) {
+      EXPECT_EQ(distance, with.distance_to_target(t));
+    }
+    EXPECT_EQ(paths.nearest_source(query.targets[t]) == kNone, distance == kInfinity);
     if (distance == kInfinity) continue;
     const Path path = paths.to_point(query.targets[t]);
     expect_near(path.length() + query.sources[path.source].distance, distance, 1e-14);
     EXPECT_EQ(path.points.back().at, query.targets[t]);
+    EXPECT_EQ(path.source, paths.nearest_source(query.targets[t]));
   }
 }
 
@@ -170,9 +181,61 @@ TEST_P(SurfacePoints, have_the_distances_and_paths_of_targets_after_a_solve_with
     for (int i = 0; i < 6; ++i) {
       SCOPED_TRACE(i);
       Query query = random_query(mesh, random, random_points(mesh, random, 40));
-      expect_same_without_targets(*solver, mesh, query);
+      for (const bool keeps_windows : {false, true}) {
+        expect_same_without_targets(*solver, mesh, query, keeps_windows);
+      }
       query.limit = random.between(0, 2);
-      expect_same_without_targets(*solver, mesh, query);
+      for (const bool keeps_windows : {false, true}) {
+        expect_same_without_targets(*solver, mesh, query, keeps_windows);
+      }
+    }
+  }
+}
+
+/// Whether a point is so near to a side or corner of its face that rounding decides by which face
+/// its path arrives.
+bool is_beside_a_side(const SurfacePoint& point) {
+  return !point.is_vertex() &&
+         std::ranges::any_of(point.weights, [](double w) { return 0 < w && w < 1e-6; });
+}
+
+// In a plane the distance is that in space, and its gradient leads away from the source.
+TEST_P(SurfacePoints, have_gradients_that_lead_away_from_the_source_of_a_plane) {
+  const Mesh mesh(generate("grid", {{"columns", 6}, {"rows", 5}}), Numbering::along_surface);
+  const std::unique_ptr<Solver> solver = make_solver(GetParam(), mesh);
+  Random random(11);
+  const std::vector<SurfacePoint> ends = random_points(mesh, random, 60);
+  for (const SurfacePoint& source : random_points(mesh, random, 12)) {
+    const Paths paths = solve_paths(*solver, mesh, {.sources = {{source}}}, true);
+    for (const SurfacePoint& end : ends) {
+      const Vec3 way = subtract(position_of(mesh, end), position_of(mesh, source));
+      const Vec3 gradient = paths.gradient_at(end);
+      if (norm(way) < 1e-6 || is_beside_a_side(end)) continue;
+      EXPECT_LE(norm(subtract(gradient, scale(1 / norm(way), way))), 1e-12 + 1e-15 / norm(way));
+    }
+    if (!source.is_vertex()) continue;
+    EXPECT_TRUE(std::isnan(paths.gradient_at(source)[0]));
+  }
+}
+
+TEST_P(SurfacePoints, have_gradients_in_which_their_paths_arrive) {
+  Random random(12);
+  for (const NamedMesh& each : random_meshes()) {
+    SCOPED_TRACE(each.name);
+    const Mesh mesh(each.soup, Numbering::along_surface);
+    const std::unique_ptr<Solver> solver = make_solver(GetParam(), mesh);
+    const Query query = random_query(mesh, random, {});
+    const Paths paths = solve_paths(*solver, mesh, query, true);
+    for (const SurfacePoint& end : random_points(mesh, random, 40)) {
+      if (is_beside_a_side(end)) continue;
+      const std::optional<Path> path = paths.find_to_point(end);
+      if (!path || path->points.size() < 2) {
+        EXPECT_TRUE(std::isnan(paths.gradient_at(end)[0]));
+        continue;
+      }
+      const Vec3 last = subtract(path->points.back().position, path->points.rbegin()[1].position);
+      if (norm(last) < 1e-4) continue;  // rounding turns a short piece
+      EXPECT_LE(norm(subtract(paths.gradient_at(end), scale(1 / norm(last), last))), 1e-9);
     }
   }
 }

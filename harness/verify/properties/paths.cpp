@@ -245,6 +245,9 @@ void targets_are_as_if_inserted(const Trial& trial) {
   query.limit = kInfinity;
   query.targets = points;
   const Paths paths = solve_paths(*solver, trial.mesh(), query);
+  query.targets.clear();
+  const std::vector<double> later =
+      solve_paths(*solver, trial.mesh(), query, /*keeps_windows=*/true).distances_at(points);
   const std::vector<double> distances = finer.distances(query.sources);
   std::vector<double> got, expected;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -252,6 +255,8 @@ void targets_are_as_if_inserted(const Trial& trial) {
     expected.push_back(distances[finer.vertex(points[i])]);
   }
   require_promise("with the points inserted", trial, query, got, expected, finer.tolerance());
+  require_promise("of points after the solve, with the points inserted", trial, query, later,
+                  expected, finer.tolerance());
 }
 
 /// Compares with the reference among the solvers that start at such points, so none are inserted.

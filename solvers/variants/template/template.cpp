@@ -58,7 +58,9 @@ class Unfolding final : public Solver {
   }
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
-    if (recording.kind == RecordingKind::paths) paths_.emplace(mesh(), start.query);
+    if (recording.kind == RecordingKind::paths) {
+      paths_.emplace(mesh(), start.query, recording.keeps_windows);
+    }
     run(start, distances);
     if (paths_) paths_->finish(distances, recording);
     paths_.reset();
