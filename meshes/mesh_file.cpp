@@ -126,7 +126,7 @@ std::string read_bytes(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw MeshError(path.string() + ": no such file; check the path");
   if (!fs::is_regular_file(status)) {
-    throw MeshError(path.string() + ": not a regular file; name a mesh file");
+    throw MeshError(path.string() + ": a folder, pipe or device; name a file");
   }
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) throw MeshError(path.string() + ": cannot be opened: " + std::strerror(errno));

@@ -49,6 +49,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) 
   }
   if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
     written_ += std::to_string(getpid()).insert(0, 1, '.') + kPartOfFile;
+    part_.emplace(written_);
     if (!create(written_)) throw CannotWrite(path_, std::strerror(errno));
     mode |= std::ios::in;  // opens the existing file and creates none
   }

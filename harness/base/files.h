@@ -3,13 +3,17 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "harness/base/part_file.h"
+
 namespace geodesic::harness {
 
-/// The end of a temporary file name. Only a process that was killed leaves such a file behind.
+/// The end of a temporary file name. Only a process that was killed, not by a signal of
+/// InterruptionGuard, leaves such a file behind.
 inline constexpr const char* kPartOfFile = ".part";
 
 /// Writes to a temporary file in the same folder; `commit` renames it. Without a commit, the
@@ -31,6 +35,7 @@ class AtomicFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path written_;  // the temporary name, or path_ itself
+  std::optional<PartFile> part_;   // of the temporary name
   std::ofstream stream_;
   bool committed_ = false;
 };

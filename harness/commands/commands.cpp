@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string_view>
+#include <utility>
 
 #include "harness/base/build_info.h"
 #include "harness/base/error.h"
@@ -97,6 +99,16 @@ std::string reworded(const CLI::ParseError& error) {
   const std::string said = error.what(), conversion = "Could not convert: ";
   if (const std::size_t at = said.find(": 1 required"); at != std::string::npos) {
     return said.substr(0, at) + " needs a value";
+  }
+  for (const auto& [limit, takes] :
+       {std::pair(": At Most ", " takes at most "), std::pair(": At least ", " takes at least ")}) {
+    const std::string middle = " required but received ";
+    const std::size_t at = said.find(limit), received = said.find(middle);
+    if (at == std::string::npos || received == std::string::npos) continue;
+    const std::size_t number = at + std::string_view(limit).size();
+    const std::string count = said.substr(number, received - number);
+    return said.substr(0, at) + takes + count + (count == "1" ? " value" : " values") + ", not " +
+           said.substr(received + middle.size());
   }
   // Words that are not numbers were refused before (values.h).
   return said.starts_with(conversion) ? said.substr(conversion.size()) + " is too large" : said;

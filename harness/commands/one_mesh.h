@@ -6,6 +6,7 @@
 
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/points.h"
 #include "meshes/load.h"
 
 namespace geodesic::harness {
@@ -14,7 +15,7 @@ struct OneMesh {
   std::string name;
   std::optional<double> weld;
   AvoidedFiles avoided;
-  bool repair = false;
+  bool repair = false, cross_non_manifold = false;  // the second is not an option of all
   std::string manifest = default_manifest().string();
 };
 
@@ -26,7 +27,13 @@ struct ReadMesh {
   BuiltMesh built;
 };
 
-/// Reads the mesh and prints its warnings. @throws HarnessError, MeshError
-ReadMesh read_one(const OneMesh& mesh);
+/// Reads the mesh and prints its warnings.
+/// @param output file of --output, which must be no input; empty for none
+/// @throws HarnessError, MeshError
+ReadMesh read_one(const OneMesh& mesh, const std::string& output);
+
+/// The place of a point that has no initial distance. Prints a warning if it is far from the
+/// surface. @throws HarnessError as `place`, and for an initial distance
+SurfacePoint place_of(const WrittenPoint& point, const NearestPointSearch& surface);
 
 }  // namespace geodesic::harness

@@ -8,6 +8,7 @@
 #include "harness/commands/one_mesh.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/points.h"
+#include "harness/corpus/solvers.h"
 #include "meshes/path_file.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/through.h"
@@ -24,11 +25,13 @@ struct PathFlags {
 void find_path(const PathFlags& flags) {
   const std::vector<WrittenPoint> written = parse_points(flags.through, "--through");
   if (!flags.output.empty()) check_path_file(flags.output);
-  const auto [entry, built] = read_one(flags.mesh);
+  const auto [entry, built] = read_one(flags.mesh, flags.output);
   const NearestPointSearch surface(*built.mesh);
   std::vector<SurfacePoint> points;
-  for (const WrittenPoint& point : written) points.push_back(place(point, surface).at);
+  for (const WrittenPoint& point : written) points.push_back(place_of(point, surface));
   try {
+    const std::string unable = unsupported(solver_named(flags.solver), *built.mesh);
+    if (!unable.empty()) throw HarnessError(unable);
     const std::unique_ptr<Solver> solver = make_solver(flags.solver, *built.mesh);
     if (!solver->description().abilities.paths) {
       throw HarnessError(solver->description().name + " does not remember paths");
@@ -56,6 +59,7 @@ void add_path_command(CLI::App& app) {
       "\nExamples:\n  geodesic-bench path bunny.ply --through 0,12,at:0,0.1,0 -o path.obj\n"
       "  geodesic-bench path handle.ply --through 5,99,310 --closed --straighten -o loop.obj");
   add_mesh_options(*command, flags->mesh);
+  add_crossing_option(*command, flags->mesh.cross_non_manifold);
   command
       ->add_option("--through", flags->through,
                    std::string("two points or more, separated by commas: ") + kPointForms)

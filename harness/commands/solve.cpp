@@ -21,14 +21,18 @@ namespace {
 
 constexpr const char* kStandardOutput = "-";
 
-// @param flag option that names the output file
-void check_output(const std::string& flag, const std::string& output,
-                  const std::filesystem::path& mesh) {
-  std::error_code other;
-  if (!output.empty() && std::filesystem::equivalent(output, mesh, other)) {
-    throw HarnessError(flag + " '" + output +
-                       "' is the mesh itself: results go to a file of their own");
-  }
+// Checks that the file is none that the command reads.
+void check_output(const char* flag, const std::string& output, const SolveFlags& flags,
+                  const MeshEntry& entry) {
+  check_output_differs(flag, output,
+                       {{"mesh", entry.file},
+                        {"--sources-file", flags.sources_file},
+                        {"--targets-file", flags.targets_file},
+                        {"--pairs", flags.pairs_file},
+                        {"--sets", flags.sets_file},
+                        {"--avoid", flags.avoid.vertices},
+                        {"--avoid-faces", flags.avoid.faces},
+                        {"--prepared", flags.prepared}});
 }
 
 /// @param output file for the distances; empty for none
@@ -37,23 +41,26 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
                 const MeshEntry& entry, const std::string& output) {
   Outputs outputs;
   if (!output.empty()) {
-    if (output != kStandardOutput) check_output("--output", output, entry.file);
+    if (output != kStandardOutput) check_output("--output", output, flags, entry);
     outputs.distances.emplace(output);
-    if (outputs.distances->is_mesh() && (flags.each || flags.angles || !flags.pairs_file.empty())) {
-      throw HarnessError("--output '" + output +
-                         "' is a mesh with the distances of one query: with --each, --pairs and "
-                         "--angles write .txt, .csv or .npy");
+    if (outputs.distances->is_mesh() &&
+        (wants_rows(flags) || flags.angles || !flags.pairs_file.empty())) {
+      throw HarnessError(
+          "--output '" + output +
+          "' is a mesh with the distances of one query: with --each, --sets, --pairs and "
+          "--angles write .txt, .csv or .npy");
     }
   }
   const auto open_lines = [&](std::optional<AtomicFile>& to, const char* flag,
                               const std::string& file) {
     if (file.empty()) return;
     check_path_file(file);
-    check_output(flag, file, entry.file);
+    check_output(flag, file, flags, entry);
     to.emplace(file);
   };
   open_lines(outputs.paths, "--paths", flags.paths);
   open_lines(outputs.isolines, "--isolines", flags.isolines);
+  check_output("--save-prepared", flags.save_prepared, flags, entry);
   const NonManifoldEdges non_manifold_edges =
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair,
@@ -71,7 +78,9 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
             {"faces", problem.mesh.external_face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
   if (!problem.places.empty()) json["places"] = problem.places;
-  const auto answer = problem.grouped ? solve_pairs : flags.each ? solve_separately : solve_jointly;
+  const auto answer = problem.grouped     ? solve_pairs
+                      : wants_rows(flags) ? solve_separately
+                                          : solve_jointly;
   json.update(answer(problem, outputs));
   if (outputs.distances) outputs.distances->commit();
   if (outputs.paths) outputs.paths->commit();
@@ -187,6 +196,13 @@ void add_solve_command(CLI::App& app) {
                        "file of pairs of points whose distance is wanted: two points a line, or a "
                        "JSON list of lists of two, written as in --sources-file")
           ->type_name("FILE");
+  CLI::Option* const sets =
+      command
+          ->add_option(
+              "--sets", flags->sets_file,
+              "file of sets of sources, each solved separately: one a line, or a JSON list "
+              "of lists; a row has the distances from the nearest point of its set")
+          ->type_name("FILE");
   command->add_flag("--stop-at-targets", flags->stop_at_targets,
                     "end when the targets are reached; vertices farther than all of them are "
                     "unreachable");
@@ -211,18 +227,20 @@ void add_solve_command(CLI::App& app) {
                     "leaves its source (the logarithmic map)");
   command->add_flag("--each", flags->each, "solve from each source separately");
   command
-      ->add_option("--threads", flags->threads,
-                   "threads that work at the same time (default 1): with --each and --pairs each "
-                   "on a source of its own while there are enough, otherwise on one source, where "
-                   "the solver can (edge-based)")
+      ->add_option(
+          "--threads", flags->threads,
+          "threads that work at the same time (default 1): with --each, --sets and --pairs "
+          "each on a source or set of its own while there are enough, otherwise on one source, "
+          "where "
+          "the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
       ->add_option(
           "-o,--output", flags->output,
           "file for the distances, .txt, .csv or .npy: one a vertex, with --pairs one a pair, "
-          "or with --each a row a source; .ply and .vtk have the mesh too, for MeshLab (quality) "
-          "and "
-          "ParaView; - is standard output, and the JSON object then goes to "
+          "with --each a row a source, with --sets a row a set; .ply and .vtk have the mesh too, "
+          "for MeshLab (quality) and ParaView; - is standard output, and the JSON object then goes "
+          "to "
           "standard error")
       ->type_name("FILE");
   command
@@ -239,10 +257,7 @@ void add_solve_command(CLI::App& app) {
   add_avoid_options(*command, flags->avoid);
   command->add_flag("--repair", flags->repair,
                     "repair defects of the mesh, and say which; joins no vertices");
-  command->add_flag(
-      "--cross-non-manifold", flags->cross_non_manifold,
-      "paths go from a face into each of the others at an edge of more than two faces, "
-      "and at one between inconsistently oriented faces; --repair does not cut them then");
+  add_crossing_option(*command, flags->cross_non_manifold);
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
   command
@@ -266,8 +281,8 @@ void add_solve_command(CLI::App& app) {
       ->type_name("FILE");
   const std::initializer_list<std::pair<const char*, std::vector<const char*>>> groups = {
       {"From where, to where",
-       {"--source", "--sources-file", "--target", "--targets-file", "--pairs", "--stop-at-targets",
-        "--limit"}},
+       {"--source", "--sources-file", "--target", "--targets-file", "--pairs", "--sets",
+        "--stop-at-targets", "--limit"}},
       {"What is written",
        {"--output", "--out", "--nearest-source", "--angles", "--paths", "--isolines", "--levels"}},
       {"How it is solved",
@@ -284,10 +299,15 @@ void add_solve_command(CLI::App& app) {
         "--counters"}) {
     pairs->excludes(other);
   }
+  for (const char* other : {"--source", "--sources-file", "--pairs", "--each", "--nearest-source",
+                            "--angles", "--paths", "--isolines", "--levels", "--counters"}) {
+    sets->excludes(other);
+  }
   command->footer(
       "\nExamples:\n  geodesic-bench solve bunny.ply --source 0 --output d.npy\n"
       "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
+      "  geodesic-bench solve bunny.ply --sets regions.json --threads 4 --output rows.npy\n"
       "  geodesic-bench solve bunny.ply --pairs pairs.csv --threads 4 --output d.csv\n"
       "  geodesic-bench solve scans/*.ply --source 0 --out distances");
   command->callback([flags] { run_solve(*flags); });

@@ -29,10 +29,9 @@ void trace_line(const TraceFlags& flags) {
     throw HarnessError("one of --direction and --angle is needed: where the line goes");
   }
   if (!flags.output.empty()) check_path_file(flags.output);
-  const auto [entry, built] = read_one(flags.mesh);
+  const auto [entry, built] = read_one(flags.mesh, flags.output);
   const Mesh& mesh = *built.mesh;
-  const PlacedPoint placed = place(written.front(), NearestPointSearch(mesh));
-  const SurfacePoint begin = placed.at;
+  const SurfacePoint begin = place_of(written.front(), NearestPointSearch(mesh));
   try {
     const double angle =
         flags.angle

@@ -71,6 +71,29 @@ void require_text(const std::string& command_line) {
       "result file can hold: rename the file or folder");
 }
 
+void add_crossing_option(CLI::App& command, bool& crosses) {
+  command.add_flag(
+      "--cross-non-manifold", crosses,
+      "paths go from a face into each of the others at an edge of more than two faces, "
+      "and at one between inconsistently oriented faces; --repair does not cut them "
+      "then");
+}
+
+void check_output_differs(
+    const std::string& flag, const std::string& output,
+    const std::vector<std::pair<std::string, std::filesystem::path>>& inputs) {
+  for (const auto& [name, input] : inputs) {
+    std::error_code other;
+    if (output.empty() || input.empty() || !std::filesystem::equivalent(output, input, other)) {
+      continue;
+    }
+    if (!std::filesystem::is_regular_file(output, other)) continue;  // a device holds nothing
+    throw HarnessError(flag + " '" + output + "' is the " +
+                       (name == "mesh" ? "mesh itself" : "file of " + name) +
+                       ": results go to a file of their own");
+  }
+}
+
 CLI::Validator above_zero() {
   return number_that([](double x) { return x > 0; }, "greater than 0");
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meshes/avoid.h"
@@ -27,6 +29,9 @@ void add_weld_option(CLI::App& command, std::optional<double>& distance);
 /// file, or another option.
 std::vector<std::string> with_weld_distance(std::vector<std::string> words);
 
+/// Adds --cross-non-manifold, for the non_manifold_edges of LoadOptions.
+void add_crossing_option(CLI::App& command, bool& crosses);
+
 /// The files of --avoid and --avoid-faces; empty for none.
 struct AvoidedFiles {
   std::string vertices, faces;
@@ -37,6 +42,13 @@ void add_avoid_options(CLI::App& command, AvoidedFiles& files);
 
 /// Reads the files. @throws HarnessError as read_numbers
 Avoided read_avoided(const AvoidedFiles& files);
+
+/// Checks that an output file is none of the files that a command reads.
+/// @param flag option that names the output; it may be empty
+/// @param inputs for each its option, or "mesh", and the file, empty for none
+/// @throws HarnessError
+void check_output_differs(const std::string& flag, const std::string& output,
+                          const std::vector<std::pair<std::string, std::filesystem::path>>& inputs);
 
 /// Validators for CLI::Option::check of an option that takes a number.
 CLI::Validator above_zero();

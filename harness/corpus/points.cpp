@@ -304,6 +304,22 @@ std::vector<WrittenPair> parse_pairs_list(const Json& list, const std::string& w
   return pairs;
 }
 
+std::vector<WrittenSet> parse_sets_text(std::string_view text, const std::string& where) {
+  std::vector<WrittenSet> sets;
+  for (const Row& row : rows_of(text, where)) sets.push_back(parse_points(row.text(), row.where));
+  return sets;
+}
+
+std::vector<WrittenSet> parse_sets_list(const Json& list, const std::string& where) {
+  if (!list.is_array()) throw HarnessError(where + ": a list of sets is expected");
+  std::vector<WrittenSet> sets;
+  for (const Json& each : list) {
+    const std::string here = where + ", set " + std::to_string(sets.size());
+    sets.push_back(parse_list(each.is_array() ? each : Json::array({each}), here));
+  }
+  return sets;
+}
+
 // Whether the bytes are JSON. @throws HarnessError if there is nothing
 bool are_json(std::string_view bytes, const std::string& where) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -373,6 +389,18 @@ std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::str
 
 std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std::string& flag) {
   return read_items(file, flag, parse_pairs_file);
+}
+
+std::vector<WrittenSet> parse_sets_file(std::string_view bytes, const std::string& where) {
+  std::vector<WrittenSet> sets = are_json(bytes, where)
+                                     ? parse_sets_list(parse_json(bytes, where), where)
+                                     : parse_sets_text(bytes, where);
+  if (sets.empty()) refuse_empty(where, "set");
+  return sets;
+}
+
+std::vector<WrittenSet> read_sets(const std::filesystem::path& file, const std::string& flag) {
+  return read_items(file, flag, parse_sets_file);
 }
 
 PlacedPoint place(const WrittenPoint& point, const NearestPointSearch& surface) {

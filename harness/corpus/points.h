@@ -74,6 +74,17 @@ std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std
 /// Like read_pairs, for the bytes of a file. @param where start of the messages
 std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::string& where);
 
+using WrittenSet = std::vector<WrittenPoint>;
+
+/// Reads sets of points. In text each line is a set. JSON has a list of sets, each a list of
+/// points, or one point. The points have the forms of read_points, but in text a place is always
+/// written with at:, since three numbers in a line are three vertices.
+/// @throws HarnessError as read_points, and for a set without a point
+std::vector<WrittenSet> read_sets(const std::filesystem::path& file, const std::string& flag);
+
+/// Like read_sets, for the bytes of a file. @param where start of the messages
+std::vector<WrittenSet> parse_sets_file(std::string_view bytes, const std::string& where);
+
 /// A point on a mesh's surface.
 struct PlacedPoint {
   SurfacePoint at;

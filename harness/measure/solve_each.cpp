@@ -34,18 +34,18 @@ class InOrder {
 
 }  // namespace
 
-void solve_each(PointSolver solver, const Mesh& mesh, std::span<const Source> sources,
+void solve_each(PointSolver solver, const Mesh& mesh, std::span<const std::vector<Source>> sets,
                 const Query& asked, unsigned threads,
                 const std::function<Kept(const SingleSolve&)>& keep,
                 const std::function<void(Kept)>& deliver) {
   InOrder results(deliver);
   SolverForEachThread solvers(std::move(solver));
-  do_in_threads(sources.size(), threads, [&]() -> Worker {
+  do_in_threads(sets.size(), threads, [&]() -> Worker {
     RowSolver row(solvers.next(), mesh, asked);
     return [&, row = std::move(row)](std::size_t i) mutable {
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;
-      row.solve({sources[i]});
+      row.solve(sets[i]);
       results.put(i, keep({.number = i,
                            .distances = row.distances(),
                            .at_targets = row.at_targets(),

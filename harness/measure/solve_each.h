@@ -1,9 +1,10 @@
-// Solves from many sources, each by itself, on several threads.
+// Solves from many sources, or sets of them, each by itself, on several threads.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "harness/base/json.h"
 #include "meshes/point_solver.h"
@@ -12,7 +13,7 @@ namespace geodesic::harness {
 
 /// The result of one solve.
 struct SingleSolve {
-  std::size_t number = 0;              ///< index of its source
+  std::size_t number = 0;              ///< index of its set of sources
   std::span<const double> distances;   ///< overwritten by the thread's next solve
   std::span<const double> at_targets;  ///< the same
   double cpu_seconds = 0;              ///< of its thread
@@ -26,13 +27,13 @@ struct Kept {
   std::string text;  ///< distances in the format of the file
 };
 
-/// Solves from every source by itself. Each thread has its own solver object; the mesh and the
-/// preparation are shared. Distances have the same bits for any number of threads.
+/// Solves from every set of sources by itself. Each thread has its own solver object; the mesh and
+/// the preparation are shared. Distances have the same bits for any number of threads.
 /// @param asked limit and targets of every solve; its sources are not used
-/// @param keep called once for each source by the thread that solved; calls may overlap
-/// @param deliver called with the results of `keep` in the order of the sources, one at a time
+/// @param keep called once for each set by the thread that solved; calls may overlap
+/// @param deliver called with the results of `keep` in the order of the sets, one at a time
 /// @throws the exceptions of the solver, `keep` and `deliver`
-void solve_each(PointSolver solver, const Mesh& mesh, std::span<const Source> sources,
+void solve_each(PointSolver solver, const Mesh& mesh, std::span<const std::vector<Source>> sets,
                 const Query& asked, unsigned threads,
                 const std::function<Kept(const SingleSolve&)>& keep,
                 const std::function<void(Kept)>& deliver);

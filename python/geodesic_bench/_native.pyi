@@ -160,6 +160,10 @@ def isolines(
     mesh: SharedMesh, distances: NDArray[np.float64], levels: NDArray[np.float64]
 ) -> list[tuple[float, bool, NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]]:
     """Returns the fields of lines.Isoline."""
+def line_bytes(
+    file: str, lines: list[tuple[NDArray[np.float64], NDArray[np.float64], float, bool]], are_isolines: bool
+) -> bytes:
+    """Returns the bytes of a file, .obj or .ply, of lines: points, travelled, level and closed of lines.Isoline."""
 def pair_distances(
     pool: SolverPool, a: SurfacePoints, b: SurfacePoints, threads: int
 ) -> NDArray[np.float64]: ...

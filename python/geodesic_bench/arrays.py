@@ -111,7 +111,7 @@ def surface_point(value: object, what: str, vertices: int, faces: int) -> Points
     """Converts exactly one point, like surface_points()."""
     point = surface_points(value, what, vertices, faces)
     if len(point.vertices) != 1:
-        raise ValueError(_NO_POINT.format(what))
+        raise ValueError(f"a {what} must be one point, not {len(point.vertices)}")
     return point
 
 
@@ -132,6 +132,11 @@ class PointSets(NamedTuple):
 
 def point_sets(values: Any, what: str, vertices: int, faces: int) -> PointSets:
     """Converts what surface_points() does, to a set a point, and a list of which some items are lists: sets."""
+    if isinstance(values, np.ndarray) and values.dtype.kind in "iu" and values.ndim == 2:
+        raise ValueError(
+            f"{what}s of shape {values.shape} may be sets of vertices or coordinates:"
+            " write .tolist() for sets, or .astype(float) for places"
+        )
     if not _has_sets(values):
         points = surface_points(values, what, vertices, faces)
         return PointSets(points, np.arange(len(points.vertices) + 1))
@@ -149,12 +154,16 @@ def _has_sets(values: Any) -> bool:
     if _names_a_face(values) or _names_faces(values):
         return False
     others = [value for value in values if not (isinstance(value, Place) or _names_a_face(value))]
-    if not any(isinstance(value, _LISTED) and getattr(value, "shape", None) != () for value in others):
+    if not any(_is_iterable(value) and getattr(value, "shape", None) != () for value in others):
         return False
     try:
         return len(others) < len(values) or not _are_places(np.asarray(values))
-    except (ValueError, TypeError):  # lists of different lengths
+    except (ValueError, TypeError, RuntimeError):  # of different lengths, or memory of another device
         return True
+
+
+def _is_iterable(value: object) -> bool:
+    return isinstance(value, Iterable) and not isinstance(value, str | bytes)
 
 
 def _are_places(array: NDArray[Any]) -> bool:
@@ -221,7 +230,9 @@ def _faces_and_weights(
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
     """Converts vertex indices to an array of shape (k,)."""
-    array = _integers(values, f"{what} vertices", "Place(x, y, z) for a place")
+    array = _integers(
+        values, f"{what} vertices", "Place(x, y, z) for a place", "np.flatnonzero(mask) for a mask"
+    )
     if array.ndim > 1:
         raise ValueError(
             f"{what} vertices must be a list of indices, not of shape {array.shape};"
@@ -250,27 +261,39 @@ def number(value: Any, what: str) -> float:
 def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
     array = _array(values, what, "numbers")
     if array.dtype.kind not in "iuf" and array.size:
-        raise ValueError(f"{what} must be real numbers, not {array.dtype}")
+        raise ValueError(f"{what} must be real numbers, not {_kind_of(array)}")
     return array.astype(np.float64, order="C", copy=False)
 
 
-def _integers(values: ArrayLike, what: str, instead: str = "") -> NDArray[Any]:
+def _integers(values: ArrayLike, what: str, of_floats: str = "", of_booleans: str = "") -> NDArray[Any]:
     """Returns an array of any integer type, or of Python integers if they are too large for these. Floats are
     refused even if they are whole: they may be coordinates.
 
-    @param instead what else to write for floats"""
+    @param of_floats, of_booleans what else to write for these"""
     array = _array(values, what, "integers")
     if not array.size:
         return array.astype(np.int64)
     of_python = array.dtype == object and all(type(value) is int for value in array.flat)
     if array.dtype.kind not in "iu" and not of_python:
-        ways = []
+        ways = [of_booleans] if array.dtype.kind == "b" and of_booleans else []
         if array.dtype.kind == "f":
             whole = bool((array == np.floor(array)).all())
-            ways = [way for way in (whole and ".astype(int) for indices", instead) if way]
+            ways = [way for way in (whole and ".astype(int) for indices", of_floats) if way]
         hint = f": write {', or '.join(ways)}" if ways else ""
-        raise ValueError(f"{what} must be integers, not {array.dtype}{hint}")
+        raise ValueError(f"{what} must be integers, not {_kind_of(array)}{hint}")
     return array
+
+
+def _kind_of(array: NDArray[Any]) -> str:
+    """Returns what the items are, in the words of Python where NumPy's would be codes: "text", not "<U7"."""
+    if array.dtype.kind in "US":
+        return "text"
+    if array.dtype != object:
+        return str(array.dtype)
+    kinds = [type(value).__name__ for value in array.flat if type(value) is not int]
+    if not kinds:
+        return "integers of Python"
+    return "None" if kinds[0] == "NoneType" else f"objects of type {kinds[0]}"
 
 
 def _array(values: Any, what: str, kind: str) -> NDArray[Any]:
@@ -295,7 +318,7 @@ def _remedy(values: Any) -> str:
         return f", not a {kind} on a GPU: call {call}"
     if hasattr(values, "points"):
         return f", not a {kind}: pass its .points"
-    if isinstance(values, Iterable) and not isinstance(values, str | bytes | list | tuple | np.ndarray):
+    if _is_iterable(values) and not isinstance(values, _LISTED):
         return f", not a {kind}: call list() first"
     return ""
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -192,6 +192,9 @@ class Field:
             For the reasons of `path_to` and `Mesh.trace`.
         """
         return LogMap(*self._solved.log_map())
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a field cannot be pickled: pickle its distances, or the mesh, and solve again")
 
     def __repr__(self) -> str:
         return f"Field(of {self.mesh!r})"

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from geodesic_bench import _native
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +80,42 @@ class Isoline(Polyline):
 
     level: float
     closed: bool
+
+
+def save_lines(file: str | os.PathLike[str], lines: Polyline | Iterable[Polyline | None]) -> None:
+    """Writes paths, straightest lines or isolines as polylines, as `geodesic-bench solve` does with --paths and
+    --isolines.
+
+    Parameters
+    ----------
+    file : path
+        .obj, with a line each; isolines are in a group a level. Or .ply, binary, with edges, the number of the line
+        of each edge, and `travelled`, or of isolines `level`, of each vertex.
+    lines : a line, or an iterable of them
+        Isolines only, or none of them. None, which `paths_to` has where no path leads, is left out.
+
+    Raises
+    ------
+    ValueError, OSError
+        For another suffix, for isolines beside other lines, and when the file cannot be written.
+    """
+    given = [lines] if isinstance(lines, Polyline) else [line for line in lines if line is not None]
+    for line in given:
+        if not isinstance(line, Polyline):
+            raise ValueError(f"lines must be paths or isolines, not {type(line).__name__}")
+    of_isolines = [isinstance(line, Isoline) for line in given]
+    if len(set(of_isolines)) > 1:
+        raise ValueError("isolines and other lines need a file each")
+    name = os.fsdecode(file)
+    if not name.lower().endswith((".obj", ".ply")):
+        raise ValueError(f"cannot write '{name}': lines are written as .obj or .ply")
+    rows = [
+        (line.points, line.travelled, line.level, line.closed)
+        if isinstance(line, Isoline)
+        else (line.points, line.travelled, 0.0, False)
+        for line in given
+    ]
+    FilePath(name).write_bytes(_native.line_bytes(name, rows, any(of_isolines)))
 
 
 class LogMap(NamedTuple):

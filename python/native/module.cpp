@@ -34,6 +34,7 @@
 #include "meshes/load.h"
 #include "meshes/messages.h"
 #include "meshes/pair_distances.h"
+#include "meshes/path_file.h"
 #include "meshes/row_solver.h"
 #include "meshes/threads.h"
 #include "meshes/weld.h"
@@ -496,6 +497,31 @@ py::list isolines(const SharedMeshPointer& mesh, const Array<double>& distances,
   return lines;
 }
 
+/// A line of Python: its points of shape (k, 3), the length up to each, its level, whether it is
+/// closed.
+using GivenLine = std::tuple<Array<double>, Array<double>, double, bool>;
+
+/// @param are_isolines otherwise they are paths, whose levels mean nothing
+/// @param file without the faces and weights of points, which only .json has
+py::bytes line_bytes(const std::filesystem::path& file, const std::vector<GivenLine>& given,
+                     bool are_isolines) {
+  std::vector<Isoline> lines;
+  std::vector<Path> paths;
+  for (const auto& [positions, travelled, level, closed] : given) {
+    std::vector<PathPoint> points;
+    for (const Vec3& position : rows_of(positions)) {
+      points.push_back(
+          {.at = {}, .position = position, .travelled = travelled.data()[points.size()]});
+    }
+    if (are_isolines) {
+      lines.push_back({.level = level, .closed = closed, .points = std::move(points)});
+    } else {
+      paths.push_back({.source = 0, .points = std::move(points)});
+    }
+  }
+  return are_isolines ? isoline_bytes(lines, file) : path_bytes(paths, file);
+}
+
 /// A solver that returns to its pool with its last owner.
 std::shared_ptr<PointSolver> borrowed(const PoolPointer& pool) {
   const auto own = std::make_shared<BorrowedSolver>(pool);
@@ -757,6 +783,7 @@ PYBIND11_MODULE(_native, module) {
     return array_of(equal_levels(values_of(distances), count));
   });
   module.def("isolines", &isolines);
+  module.def("line_bytes", &line_bytes);
   module.def("trace", &trace);
   module.def("angle_of",
              [](const SharedMeshPointer& mesh, const SurfacePoints& begin, const Vec3& vector) {

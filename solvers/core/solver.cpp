@@ -42,7 +42,7 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
   if (query.sources.size() > 1 && !solver.abilities.multiple_sources) {
     refuse(solver, "supports a single source only");
   }
-  if (!(query.limit >= 0)) refuse(solver, "the distance limit must not be negative");
+  if (!(query.limit >= 0)) refuse(solver, "the distance limit must be 0 or more");
   if (query.limit < kInfinity && !solver.abilities.distance_limit) {
     refuse(solver, "supports no distance limit");
   }

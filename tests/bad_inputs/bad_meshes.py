@@ -35,10 +35,10 @@ def mesh(what: str, file: str, content: str | bytes, *says: str) -> Case:
     )  # fmt: skip
 
 
-def crossed(what: str, flags: str, *says: str) -> Case:
+def crossed(what: str, flags: str, *says: str, asked: str = "solve --source 0", lines: int = 1) -> Case:
     fin = OBJ + "v 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 2 1 5\n"
-    command = f"geodesic-bench solve fin.obj --source 0 --cross-non-manifold {flags}"
-    return Case(f"edge of three faces: {what}", command, list(says), files={"fin.obj": fin})
+    command = f"geodesic-bench {asked} fin.obj --cross-non-manifold {flags}"
+    return Case(f"edge of three faces: {what}", command, list(says), files={"fin.obj": fin}, lines=lines)
 
 
 def not_there(what: str, file: str, place: str) -> Case:
@@ -48,6 +48,10 @@ def not_there(what: str, file: str, place: str) -> Case:
 CASES = [
     crossed("a solver that does not cross it", "--solver ich",
             "ich does not cross edges of more than two faces; there are: edge-based, fwp-mmp, mmp"),
+    crossed("a path of such a solver", "--solver ich", "ich does not cross edges of more than two faces; there are:",
+            asked="path --through 2,3", lines=2),  # after the warning about the mesh
+    crossed("a straightened path", "--straighten", "fin: a curve cannot be straightened on a mesh whose paths cross non-manifold",
+            asked="path --through 2,3", lines=2),
     # OBJ
     mesh("a coordinate that is no number", "a.obj", OBJ + "v 0 x 0\nf 1 2 3\n",
          "a.obj, line 4: the y coordinate 'x' is not a number, such as 0.5"),
@@ -138,8 +142,8 @@ CASES = [
     Case("a name in a folder that no result file can hold", "geodesic-bench run --meshes folder",
          ["folder/a\\x0a.obj", "rename"], given="mkdir folder; cp hill.obj $'folder/a\n.obj'"),
     Case("a pipe, which nobody waits for", "geodesic-bench mesh pipe",
-         ["pipe: not a regular file; name a mesh file"], given="mkfifo pipe"),
-    Case("an endless device", "geodesic-bench mesh /dev/zero", ["/dev/zero: not a regular file"]),
+         ["pipe: a folder, pipe or device; name a file"], given="mkfifo pipe"),
+    Case("an endless device", "geodesic-bench mesh /dev/zero", ["/dev/zero: a folder, pipe or device"]),
     Case("nothing there", "geodesic-bench mesh nothing.obj",
          ["nothing.obj: no such file; check the path"]),
     Case("a link to itself", "geodesic-bench mesh loop.obj", ["loop.obj"],

@@ -29,6 +29,11 @@ def pairs(what: str, content: str | list[object], *says: str) -> Case:
     return Case(f"pairs: {what}", f"{SOLVE} --pairs points", ["--pairs 'points'", *says], files={"points": text})
 
 
+def sets(what: str, content: str | list[object], *says: str) -> Case:
+    text = json.dumps(content) if isinstance(content, list) else content
+    return Case(f"sets: {what}", f"{SOLVE} --sets points", ["--sets 'points'", *says], files={"points": text})
+
+
 def avoided(what: str, content: str | list[object], *says: str) -> Case:
     text = json.dumps(content) if isinstance(content, list) else content
     return Case(f"avoided: {what}", f"{SOLVE} --source 0 --avoid wall", [*says], files={"wall": text})
@@ -135,4 +140,25 @@ CASES = [
     pairs("numbers that may be vertices or a place", [[0, [1, 2, 0]]], "pair 0, point 1: '1,2,0' may be three vertices"),
     pairs("an initial distance", "0 1+0.5\n", "line 1 1+0.5: a point of a pair has no initial distance"),
     pairs("a vertex that is not there", "0 1\n1 99\n", "line 2 99: vertex 99 is not in the mesh of 4 vertices"),
+    Case("sets: missing", f"{SOLVE} --sets nowhere", ["--sets nowhere: no such file"]),
+    Case("sets: a folder", f"{SOLVE} --sets .", ["--sets .: a folder, pipe or device; name a file"]),
+    Case("sets: a mesh of distances", f"{SOLVE} --sets points --output d.vtk",
+         ["'d.vtk' is a mesh with the distances of one query: with --each, --sets, --pairs"], files={"points": "0 1"}),
+    *(Case(f"{output} is the file of {inputs}", f"{SOLVE} {words} {inputs} {name} {output} {name}",
+           [f"{output} '{name}' is the file of {inputs}: results go to a file of their own"], files={name: "0 1"})
+      for words, inputs, output, name in (
+          ("", "--sets", "--output", "points.csv"), ("", "--pairs", "--output", "points.txt"),
+          ("", "--sources-file", "--output", "points.csv"), ("--source 0", "--targets-file", "--paths", "points.json"),
+          ("--source 0 --levels 3", "--avoid", "--isolines", "wall.obj"))),
+    sets("empty", " \n", "the file is empty"),
+    sets("separators only", ",\n", "there is no set in it"),
+    sets("an empty list", [], "there is no set in it"),
+    sets("no list", '{"sets": 0}', "a list of sets is expected"),
+    sets("a set without points", [[0], []], "set 1: there is no point in it"),
+    sets("no point", [[0], None], "set 1, point 0: null is not a number, a string or a list"),
+    sets("a word", "0 1\nleft\n", "line 2: 'left' is not a point, such as 12"),
+    sets("a place without at:", "0,1,2\n0.5,1,0\n", "line 2: '0.5' is not a point, such as 12", "at:0.1,2,-3"),
+    sets("a place without at: in a list", [[0.5, 1, 0]], "set 0, point 0: '0.5' is not a point, such as 12"),
+    sets("numbers that may be vertices or a place", [[0, [1, 2, 0]]], "set 0, point 1: '1,2,0' may be three vertices"),
+    sets("a vertex that is not there", "0 1\n1 99\n", "line 2 99: vertex 99 is not in the mesh of 4 vertices"),
 ]  # fmt: skip

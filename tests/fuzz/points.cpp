@@ -1,4 +1,4 @@
-// Fuzz target: files of sources, targets and pairs, and of numbers of vertices and faces.
+// Fuzz target: files of sources, targets, sets and pairs, and of numbers of vertices and faces.
 #include "harness/corpus/points.h"
 
 #include "harness/base/error.h"
@@ -11,6 +11,10 @@ void geodesic::harness::fuzz::read_input(std::string_view bytes) {
   }
   try {
     parse_numbers_file(bytes, "--avoid 'points'");
+  } catch (const HarnessError&) {
+  }
+  try {
+    parse_sets_file(bytes, "--sets 'points'");
   } catch (const HarnessError&) {
   }
   parse_pairs_file(bytes, "--pairs 'points'");

@@ -1,6 +1,8 @@
+#include <csignal>
 #include <filesystem>
 
 #include "harness/base/files.h"
+#include "harness/base/interruption.h"
 #include "harness/corpus/manifest.h"
 #include "harness/verify/references.h"
 #include "solvers/core/geometry.h"
@@ -40,6 +42,26 @@ TEST_F(Files, AtomicFileKeepsTheOldOneUntilCommitted) {
   EXPECT_EQ(read(folder_ / "a"), "old");
   file.commit();
   EXPECT_EQ(read(folder_ / "a"), "new");
+}
+
+TEST_F(Files, AtomicFileLeavesNothingBehindWhenASignalEndsTheProgram) {
+  for (const int signal : InterruptionGuard::kSignals) {
+    const auto end_in_the_middle = [&] {
+      AtomicFile first(folder_ / "a"), second(folder_ / "b");
+      first.stream() << "half";
+      raise(signal);
+    };
+    EXPECT_EXIT(end_in_the_middle(), testing::KilledBySignal(signal), "");
+    EXPECT_EQ(files_in(folder_), 0u);
+  }
+}
+
+TEST_F(Files, AtomicFileIsKeptWhenASignalEndsAnotherProcess) {
+  AtomicFile file(folder_ / "a");
+  EXPECT_EXIT(raise(SIGTERM), testing::KilledBySignal(SIGTERM), "") << "a child";
+  EXPECT_EQ(files_in(folder_), 1u);
+  file.commit();
+  EXPECT_TRUE(fs::exists(folder_ / "a"));
 }
 
 TEST_F(Files, AtomicFileWritesStraightToWhatIsNoRegularFile) {

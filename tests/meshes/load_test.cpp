@@ -19,8 +19,8 @@ TEST_F(Load, NamesWhatIsNoFile) {
   };
   EXPECT_EQ(message(folder_ / "none.obj"),
             (folder_ / "none.obj").string() + ": no such file; check the path");
-  EXPECT_EQ(message(folder_), folder_.string() + ": not a regular file; name a mesh file");
-  EXPECT_EQ(message("/dev/zero"), "/dev/zero: not a regular file; name a mesh file");
+  EXPECT_EQ(message(folder_), folder_.string() + ": a folder, pipe or device; name a file");
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: a folder, pipe or device; name a file");
 }
 
 TEST_F(Load, RefusesErrorsWithTheFileTheFirstExampleAndTheWayOut) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -156,3 +157,8 @@ def test_a_path_from_several_sources_is_from_the_nearest(mesh: Any) -> None:
         assert path.source == nearest[target]
         assert path.length == pytest.approx(distances[target], rel=1e-12)
     assert mesh.path(sources, 101).source == 1
+
+
+def test_a_field_that_is_to_be_pickled_says_what_can_be(mesh: Any) -> None:
+    with pytest.raises(TypeError, match="^a field cannot be pickled: pickle its distances"):
+        pickle.dumps(mesh.solve(0))

@@ -67,7 +67,7 @@ def test_levels_keep_the_order_in_which_they_are_given(mesh: Any) -> None:
         (1.5, "levels must be their number, an integer, or a list, such as [0.5], not 1.5"),
         ([[1]], "levels must be their number, an integer, or a list, such as [0.5], not [[1]]"),
         (True, "levels must be real numbers, not bool"),
-        ("3", "levels must be real numbers, not <U1"),
+        ("3", "levels must be real numbers, not text"),
     ],
 )
 def test_levels_that_are_none_are_refused(mesh: Any, levels: Any, says: str) -> None:
@@ -84,3 +84,31 @@ def test_distances_that_are_none_are_refused(mesh: Any) -> None:
     for levels in (3, [1.0]):
         with pytest.raises(ValueError, match="the distance of vertex 7 must be 0 or more, not nan"):
             mesh.isolines(distances, levels)
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".ply"])
+def test_saved_lines_are_the_bytes_of_the_program(suffix: str, mesh: Any, file: Path, tmp_path: Path) -> None:
+    by_program, saved = tmp_path / f"a{suffix}", tmp_path / f"b{suffix}"
+    field = mesh.solve(7)
+    for option, lines in {
+        ("--isolines", "--levels", "5"): field.isolines(5),
+        ("--paths", "--target", "7,99,140"): field.paths_to([7, 99, 140]),
+    }.items():
+        solve(file, "--source", 7, *option[1:], option[0], by_program)
+        gb.save_lines(saved, lines)
+        assert saved.read_bytes() == by_program.read_bytes()
+
+
+def test_lines_that_cannot_be_saved_are_refused(mesh: Any, tmp_path: Path) -> None:
+    field = mesh.solve(7)
+    for name, lines, message in (
+        ("a.json", [field.path_to(99)], "cannot write '.*a.json': lines are written as .obj or .ply"),
+        ("a.obj", [field.path_to(99), *field.isolines(2)], "isolines and other lines need a file each"),
+        ("a.obj", [np.zeros((2, 3))], "lines must be paths or isolines, not ndarray"),
+    ):
+        with pytest.raises(ValueError, match=f"^{message}$"):
+            gb.save_lines(tmp_path / name, lines)
+    gb.save_lines(tmp_path / "a.obj", [None, mesh.trace(50, 0.0, 1.0)])
+    assert (tmp_path / "a.obj").read_text().count("l ") == 1
+    gb.save_lines(tmp_path / "one.obj", field.path_to(99))
+    assert [each.name for each in sorted(tmp_path.iterdir())] == ["a.obj", "one.obj"]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import logging
 import subprocess
 import sys
+from array import array
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from python_package import BUILD, HERE, Arrays
+from python_package import BUILD, HERE, Arrays, solve
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -81,6 +83,46 @@ def test_rows_of_sets_do_not_depend_on_threads_files_or_columns(mesh: Any, tmp_p
     many = SETS * 30  # several blocks of rows
     got = mesh.distance_matrix(many, out=tmp_path / "m.npy", threads=1)
     np.testing.assert_array_equal(got, np.tile(expected, (30, 1)))
+
+
+MIDDLE = "face:3:0.2,0.3,0.5"
+WRITTEN: list[list[int | str]] = [[0, 1, 2], [7, 8], [5], [MIDDLE, 99, 99], [MIDDLE], [140, 141], [3]]
+"""SETS as the program reads them."""
+
+
+@pytest.mark.parametrize("solver", ["edge-based", "dijkstra"])
+def test_rows_of_sets_are_the_bits_of_the_program(solver: str, mesh: Any, file: Path, tmp_path: Path) -> None:
+    single = [each[0] if len(each) == 1 else each for each in WRITTEN]
+    (tmp_path / "sets.json").write_text(json.dumps(single))
+    (tmp_path / "sets.csv").write_text("\n\n".join(",".join(map(str, each)) for each in WRITTEN))
+    expected = mesh.distance_matrix(SETS, solver=solver)
+    columns = [4, 7]
+    for sets, threads in (("sets.json", 1), ("sets.csv", 3)):
+        asked = (file, "--sets", tmp_path / sets, "--solver", solver, "--threads", threads)
+        said = json.loads(solve(*asked, "--target", "4,7", "--output", tmp_path / "rows.npy"))
+        assert [each["sources"] for each in said["solves"]] == WRITTEN
+        np.testing.assert_array_equal(np.load(tmp_path / "rows.npy"), expected)
+        np.testing.assert_array_equal([each["at_targets"] for each in said["solves"]], expected[:, columns])
+    solve(*asked, "--output", tmp_path / "rows.csv")
+    names, first, *_ = (tmp_path / "rows.csv").read_text().splitlines()
+    assert names.startswith("sources,0,1,") and first.startswith('"0,1,2",0,0,0,')
+
+
+def test_an_initial_distance_in_a_set_of_the_program_is_of_its_point(mesh: Any, file: Path, tmp_path: Path) -> None:
+    (tmp_path / "sets").write_text("7 99+0.5\n99\n")
+    solve(file, "--sets", tmp_path / "sets", "--output", tmp_path / "rows.npy")
+    rows = mesh.distances([7, 99], initial=[0, 0.5]), mesh.distances(99)
+    np.testing.assert_array_equal(np.load(tmp_path / "rows.npy"), rows)
+
+
+def test_any_sequence_of_points_is_a_set_and_what_has_no_order_is_refused(mesh: Any) -> None:
+    expected = mesh.distance_matrix([[0, 1, 2], [7, 8]])
+    np.testing.assert_array_equal(mesh.distance_matrix([range(3), range(7, 9)]), expected)
+    np.testing.assert_array_equal(mesh.distance_matrix([array("i", [0, 1, 2]), (7, 8)]), expected)
+    np.testing.assert_array_equal(mesh.distance_matrix(np.array([[0, 1], [7, 8]]).tolist())[1], expected[1])
+    for row, kind in (({7, 8}, "set"), ({7: 8}, "dict"), ((vertex for vertex in (7, 8)), "generator")):
+        with pytest.raises(ValueError, match=rf"^rows must be .*, not a {kind}: call list\(\) first$"):
+            mesh.distance_matrix([[0, 1, 2], row])
 
 
 def test_lists_of_three_floats_are_places_and_those_of_integers_are_sets(mesh: Any) -> None:

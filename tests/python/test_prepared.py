@@ -173,7 +173,7 @@ def test_threads_that_share_a_preparation_get_the_same_bits(prepared: Any) -> No
 def test_a_preparation_answers_after_an_invalid_query(prepared: Any) -> None:
     expected = prepared.distances(0)
     for _ in range(2):
-        with pytest.raises(ValueError, match="the distance limit must not be negative"):
+        with pytest.raises(ValueError, match="the distance limit must be 0 or more"):
             prepared.distances(0, limit=-1)
         np.testing.assert_array_equal(prepared.distances(0), expected)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import pickle
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
-from python_package import write_obj
+from python_package import BENCH, write_obj
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -28,6 +30,13 @@ def test_any_two_sheets_of_an_edge_are_a_plane(solver: str) -> None:
     assert path.length == pytest.approx(far, rel=1e-15)
     through = [[1.0, 0, 0], [1 / 3, 1 / 3, 0], [0, 0.5, 0], [0.0, 1, 1]]
     np.testing.assert_allclose(path.points, through, atol=1e-15)
+
+
+def test_the_command_path_crosses_them_too(tmp_path: Path) -> None:
+    write_obj(tmp_path / "book.obj", VERTICES, FACES)
+    words = [str(BENCH), "path", "book.obj", "--through", "2,7", "--cross-non-manifold"]
+    ended = subprocess.run(words, check=True, capture_output=True, text=True, cwd=tmp_path)
+    assert json.loads(ended.stdout)["length"] == pytest.approx(np.hypot(2, 1), rel=1e-15)
 
 
 def test_without_the_flag_such_an_edge_is_refused_or_made_a_boundary() -> None:

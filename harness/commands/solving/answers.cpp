@@ -222,6 +222,12 @@ Json write_isolines(const Problem& problem, const Solved& solved, AtomicFile& fi
   return levels;
 }
 
+Json shown_sources(const Problem& problem, std::span<const Source> sources) {
+  Json shown_each = Json::array();
+  for (const Source& source : sources) shown_each.push_back(shown(problem.mesh, source));
+  return shown_each;
+}
+
 Json shown_targets(const Problem& problem, const Solved& solved) {
   Json targets = Json::array();
   for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
@@ -254,9 +260,7 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
   }
   if (outputs.paths) write_paths(problem, solved, *outputs.paths);
   Json json = Json::object();
-  for (const Source& source : problem.query.sources) {
-    json["sources"].push_back(shown(problem.mesh, source));
-  }
+  json["sources"] = shown_sources(problem, problem.query.sources);
   if (!problem.query.targets.empty()) json["targets"] = shown_targets(problem, solved);
   json.update(solved.json);
   if (outputs.isolines) json["isolines"] = write_isolines(problem, solved, *outputs.isolines);
@@ -264,20 +268,27 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
 }
 
 Json solve_separately(const Problem& problem, Outputs& outputs) {
-  const std::vector<Source>& sources = problem.query.sources;
+  const bool of_sets = !problem.flags.each;
   const auto keep = [&](const SingleSolve& solve) -> Kept {
-    const Source& source = sources[solve.number];
-    Kept kept{.json = {{"source", shown(problem.mesh, source)}}, .text = {}};
+    const std::vector<Source>& sources = problem.rows[solve.number];
+    Kept kept{.json = Json::object(), .text = {}};
+    if (of_sets) {
+      kept.json["sources"] = shown_sources(problem, sources);
+    } else {
+      kept.json["source"] = shown(problem.mesh, sources.front());
+    }
     if (!solve.at_targets.empty()) kept.json["at_targets"] = solve.at_targets;
     kept.json.update({{"cpu_time_s", solve.cpu_seconds},
                       {"real_time_s", solve.real_seconds},
                       {"instruction_set", name_of(solve.instruction_set)},
                       {"unreachable_vertices", unreachable_vertices(solve.distances)}});
     Query alone = problem.query;
-    alone.sources = {source};
+    alone.sources = sources;
     kept.json.update(compare_with_reference(problem, alone, solve.distances, solve.at_targets));
     if (outputs.distances) {
-      kept.text = outputs.distances->row(written(problem.mesh, source.at), solve.distances);
+      std::vector<std::string> points;
+      for (const Source& source : sources) points.push_back(written(problem.mesh, source.at));
+      kept.text = outputs.distances->row(join(points, ","), solve.distances);
     }
     return kept;
   };
@@ -287,7 +298,8 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
     if (outputs.distances) outputs.distances->write_row(kept.text);
   };
   if (outputs.distances) {
-    outputs.distances->begin_rows(sources.size(), problem.mesh.vertex_count());
+    outputs.distances->begin_rows(problem.rows.size(), problem.mesh.vertex_count(),
+                                  of_sets ? "sources" : "source");
   }
   Json json = Json::object();
   for (const SurfacePoint& target : problem.query.targets) {
@@ -296,7 +308,7 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
   restart_peak_resident_bytes();
   auto [prepared, preparation] = prepare(problem);
   const Stopwatch watch;
-  solve_each(std::move(*prepared), problem.mesh, sources, problem.query, problem.threads, keep,
+  solve_each(std::move(*prepared), problem.mesh, problem.rows, problem.query, problem.threads, keep,
              deliver);
   json.update(preparation);
   json.update({{"threads", problem.threads},

@@ -23,7 +23,7 @@ void warn(const std::string& warning);
 /// @throws WrongAnswer, HarnessError, as the other functions do
 Json solve_jointly(const Problem& problem, Outputs& outputs);
 
-/// Solves from each source by itself. The distances of each source are a row.
+/// Solves each of the rows by itself: those of --each or of --sets.
 Json solve_separately(const Problem& problem, Outputs& outputs);
 
 /// Computes the distances between the points of each pair. They are in the file of distances if

@@ -118,25 +118,24 @@ void DistanceFile::write_table(std::span<const double> distances, const VertexCo
   }
 }
 
-void DistanceFile::begin_rows(std::size_t sources, std::size_t vertices) {
+void DistanceFile::begin_rows(std::size_t rows, std::size_t vertices, const std::string& named) {
   if (format_ == Format::npy) {
-    *to_ << npy_header("'<f8'",
-                       "(" + std::to_string(sources) + ", " + std::to_string(vertices) + ")");
+    *to_ << npy_header("'<f8'", "(" + std::to_string(rows) + ", " + std::to_string(vertices) + ")");
   }
   if (format_ != Format::csv) return;
-  std::string text = "source";
+  std::string text = named;
   for (std::size_t v = 0; v < vertices; ++v) append_text(text += ',', static_cast<std::int64_t>(v));
   *to_ << text << '\n';
 }
 
-std::string DistanceFile::row(const std::string& source, std::span<const double> distances) const {
+std::string DistanceFile::row(const std::string& sources, std::span<const double> distances) const {
   std::string bytes;
   if (format_ == Format::npy) {
     for (const double d : distances) append_little_endian(bytes, d);
     return bytes;
   }
   const char separator = format_ == Format::csv ? ',' : ' ';
-  if (format_ == Format::csv) bytes = '"' + source + "\",";  // points may contain commas
+  if (format_ == Format::csv) bytes = '"' + sources + "\",";  // points may contain commas
   append_separated(bytes, distances, separator);
   if (!bytes.empty()) bytes.back() = '\n';
   return bytes;

@@ -29,11 +29,11 @@ struct VertexColumns {
 /// Distances of pairs, without sources, are written as those of vertices, with a column pair in
 /// place of vertex.
 ///
-/// Distances from each source by itself, one row for each source:
+/// Distances from each source, or from each set of sources, one row for each:
 ///
 ///   .txt  distances, separated by spaces
-///   .csv  a header line with the vertices, then each source and its distances
-///   .npy  an array of float64, sources by vertices
+///   .csv  a header line with the vertices, then the sources of each row and its distances
+///   .npy  an array of float64, rows by vertices
 ///
 /// Numbers in text have the fewest digits that restore every double. Vertices are in file order.
 class DistanceFile {
@@ -51,11 +51,12 @@ class DistanceFile {
   void write(const Mesh& mesh, std::span<const double> distances, const VertexColumns& more);
   void write_pairs(std::span<const double> distances) { write_table(distances, {}, "pair"); }
 
-  /// Begins the rows of several sources.
-  void begin_rows(std::size_t sources, std::size_t vertices);
+  /// Begins the rows of several sources, or of several sets of them.
+  /// @param named name of the first column of .csv, which has the sources
+  void begin_rows(std::size_t rows, std::size_t vertices, const std::string& named);
   /// The bytes of a row in the file. Several threads may call it.
-  /// @param source as users write it
-  std::string row(const std::string& source, std::span<const double> distances) const;
+  /// @param sources as users write them
+  std::string row(const std::string& sources, std::span<const double> distances) const;
   void write_row(const std::string& row) { *to_ << row; }
 
   /// @throws CannotWrite when not everything could be written

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 
 #include "harness/base/error.h"
@@ -108,9 +109,10 @@ struct ThreadShares {
 };
 ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
                            std::size_t sources) {
-  if (!flags.each && flags.pairs_file.empty()) {
+  if (!wants_rows(flags) && flags.pairs_file.empty()) {
     if (flags.threads > 1 && !shares_sources(solver)) {
-      throw HarnessError("--threads is for --each where the solver is " + solver.name);
+      throw HarnessError("--threads is for --each, --sets and --pairs where the solver is " +
+                         solver.name);
     }
     return {.within = flags.threads};
   }
@@ -120,6 +122,8 @@ ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
 }
 
 }  // namespace
+
+bool wants_rows(const SolveFlags& flags) { return flags.each || !flags.sets_file.empty(); }
 
 bool wants_paths(const SolveFlags& flags) {
   return flags.nearest_source || flags.angles || !flags.paths.empty();
@@ -136,8 +140,8 @@ void check_combination(const SolveFlags& flags) {
   if (flags.meshes.size() > 1 && !(flags.prepared.empty() && flags.save_prepared.empty())) {
     refuse("--prepared and --save-prepared are files of one mesh");
   }
-  if (!sources && flags.pairs_file.empty()) {
-    refuse("--source, --sources-file or --pairs is required");
+  if (!sources && flags.pairs_file.empty() && flags.sets_file.empty()) {
+    refuse("--source, --sources-file, --sets or --pairs is required");
   }
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
@@ -173,13 +177,15 @@ WrittenValues::WrittenValues(const SolveFlags& flags)
       avoided(read_avoided(flags.avoid)) {
   if (!flags.levels.empty()) levels = parse_levels(flags.levels);
   if (!flags.pairs_file.empty()) pairs = read_pairs(flags.pairs_file, "--pairs");
+  if (!flags.sets_file.empty()) sets = read_sets(flags.sets_file, "--sets");
 }
 
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
                      const BuiltMesh& built, const WrittenValues& values) {
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
-  const std::size_t side_by_side = std::max(values.sources.size(), values.pairs.size());
+  const std::size_t side_by_side =
+      std::max({values.sources.size(), values.pairs.size(), values.sets.size()});
   const ThreadShares shares = share_threads(flags, solver, side_by_side);
   Problem problem{flags,
                   with_threads(solver, shares.within),
@@ -203,9 +209,21 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     }
     return found;
   };
+  std::vector<SurfacePoint> starts;
+  const auto placed_source = [&](const WrittenPoint& written) -> Source {
+    const PlacedPoint source = placed(written);
+    starts.push_back(source.at);
+    return {.at = source.at, .distance = source.initial};
+  };
   for (const WrittenPoint& source : values.sources) {
-    const PlacedPoint at = placed(source);
-    problem.query.sources.push_back({.at = at.at, .distance = at.initial});
+    if (flags.each) {
+      problem.rows.push_back({placed_source(source)});
+    } else {
+      problem.query.sources.push_back(placed_source(source));
+    }
+  }
+  for (const WrittenSet& set : values.sets) {
+    std::ranges::transform(set, std::back_inserter(problem.rows.emplace_back()), placed_source);
   }
   for (const WrittenPoint& target : values.targets) {
     if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
@@ -221,8 +239,6 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     problem.inserted = insert_for(solver, problem.mesh, grouped.sources(), grouped.targets());
     return problem;
   }
-  std::vector<SurfacePoint> starts;
-  for (const Source& source : problem.query.sources) starts.push_back(source.at);
   problem.inserted = insert_for(solver, problem.mesh, starts, problem.query.targets);
   return problem;
 }

@@ -20,8 +20,8 @@ struct SolveFlags {
   std::vector<std::string> meshes;
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
-  std::string sources_file, targets_file, pairs_file, output, output_folder, paths, isolines,
-      levels;
+  std::string sources_file, targets_file, pairs_file, sets_file, output, output_folder, paths,
+      isolines, levels;
   std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, angles = false;
@@ -32,6 +32,9 @@ struct SolveFlags {
   std::string vectors = kAutoVectors;
   std::string manifest = default_manifest().string();
 };
+
+/// Whether several queries are solved, each for a row of distances.
+bool wants_rows(const SolveFlags& flags);
 
 /// Whether paths are to be traced.
 bool wants_paths(const SolveFlags& flags);
@@ -51,6 +54,7 @@ struct WrittenValues {
   explicit WrittenValues(const SolveFlags& flags);
   std::vector<WrittenPoint> sources, targets;
   std::vector<WrittenPair> pairs;
+  std::vector<WrittenSet> sets;
   Levels levels;
   Avoided avoided;
 };
@@ -63,9 +67,10 @@ struct Problem {
   const MeshEntry& entry;
   const TriangleSoup& soup;
   const Mesh& mesh;
-  Query query;                               ///< without sources if there are pairs
-  std::vector<PointPair> pairs = {};         ///< of --pairs
-  std::optional<GroupedPairs> grouped = {};  ///< the pairs, if there are any
+  Query query;                                 ///< without sources if there are pairs or rows
+  std::vector<std::vector<Source>> rows = {};  ///< of --each one source each, or those of --sets
+  std::vector<PointPair> pairs = {};           ///< of --pairs
+  std::optional<GroupedPairs> grouped = {};    ///< the pairs, if there are any
   Levels levels = {};
   Json places = Json::array();  ///< for points that are given as places in space
   std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
