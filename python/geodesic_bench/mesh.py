@@ -314,8 +314,8 @@ class Mesh:
             take about a microsecond for any point of the surface. Solvers that do not propagate windows ignore it.
         solver : str or Prepared
         parameters
-            As in `distances`. A solver that remembers paths records them, which makes the solve 1.5 to 1.8 times
-            as long, on one thread.
+            As in `distances`. A solver that remembers paths records them, which makes the solve 1.05 to 1.2
+            times as long, on one thread.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> field = mesh.solve([0, 1])

@@ -415,7 +415,7 @@ py::array_t<double> distances_at(const FieldPointer& solved, const SurfacePoints
 }
 
 py::array_t<std::int64_t> nearest_sources_at(const FieldPointer& solved,
-                                            const SurfacePoints& points) {
+                                             const SurfacePoints& points) {
   return signed_indices(in_background([=](Task& task) {
     std::vector<Index> nearest;
     for (const SurfacePoint& point : points.points) {

@@ -93,8 +93,7 @@ void query_points(benchmark::State& state, const std::string& file, const char* 
   const SurfaceMesh mesh = read_mesh(file);
   const std::vector<SurfacePoint> points = random_points(mesh);
   DistanceSolver solver(mesh, name);
-  const Field field =
-      measured(state, mesh, [&] { return solver.from({0}, {.anywhere = true}); });
+  const Field field = measured(state, mesh, [&] { return solver.from({0}, {.anywhere = true}); });
   const auto plain = make_solver(name, mesh);
   std::vector<double> distances(mesh.vertex_count()), times;
   for (int i = 0; i < 9; ++i) {

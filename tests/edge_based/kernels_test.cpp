@@ -41,7 +41,8 @@ Steps run(const Problem& p, InstructionSet set = InstructionSet::plain) {
   Segment* segment = lists.allocate(p.windows.size());
   for (const Window& w : p.windows) segment->add(w);
   const EndpointBounds bounds(p.face.length, p.at_origin, p.at_head);
-  Batch batch(fields_with(Carried::nothing), kernels.lanes), trimmed(fields_with(Carried::nothing), kernels.lanes);
+  Batch batch(fields_with(Carried::nothing), kernels.lanes),
+      trimmed(fields_with(Carried::nothing), kernels.lanes);
   kernels.gather(*segment, bounds, batch);
   kernels.gather(*segment, bounds, trimmed);
   const std::size_t count = batch.count;

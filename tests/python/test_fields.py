@@ -53,7 +53,9 @@ def test_a_field_of_windows_has_the_distances_of_targets_at_any_points(solver: s
     some = list(zip(*points, strict=True))[:20]
     for path, distance, source in zip(field.paths_to(some), at, field.nearest_at(some), strict=False):
         assert path is not None and path.source == source
-        assert path.length + asked["initial"][path.source] == pytest.approx(distance, rel=1e-12)
+        ratio = (path.length + asked["initial"][path.source]) / distance
+        assert ratio <= 1 + 1e-12
+        assert ratio >= 1 - 1e-12 or solver == "straight-graph"  # the path of an upper bound may be shorter
 
 
 def test_two_arrays_name_the_same_points_as_a_list_of_tuples(mesh: Any) -> None:

@@ -149,8 +149,8 @@ TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
 void expect_same_without_targets(Solver& solver, const Mesh& mesh, const Query& query,
                                  bool keeps_windows) {
   const Paths with = solve_paths(solver, mesh, query);
-  const Paths paths = solve_paths(
-      solver, mesh, {.sources = query.sources, .limit = query.limit}, keeps_windows);
+  const Paths paths =
+      solve_paths(solver, mesh, {.sources = query.sources, .limit = query.limit}, keeps_windows);
   const std::vector<double> distances = paths.distances_at(query.targets);
   for (std::size_t t = 0; t < query.targets.size(); ++t) {
     SCOPED_TRACE("target " + std::to_string(t));
