@@ -11,6 +11,7 @@
 // All vertex and face numbers are those of the file. Distances have its unit of length.
 #pragma once
 
+#include <concepts>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <ranges>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -183,9 +185,19 @@ class DistanceSolver {
   Field from(std::initializer_list<SurfacePoint> sources, const FieldOptions& options = {}) {
     return from(std::span(sources.begin(), sources.size()), options);
   }
-  /// @param sources a range of vertices (Index), of SurfacePoint, or of Source with its initial
-  ///        distance
+  /// Distances from one vertex or point.
+  Field from(const SurfacePoint& source, const FieldOptions& options = {}) {
+    return from(std::span(&source, 1), options);
+  }
+  /// Distances from sources with initial distances: `from({{.at = 0, .distance = 0.5}, {.at =
+  /// 7}})`. A template, so that a list of vertices or points prefers the function above.
   /// @throws as above, and for an initial distance that is negative or not finite
+  template <std::same_as<Source> S = Source>
+  Field from(std::initializer_list<S> sources, const FieldOptions& options = {}) {
+    return from(std::span(sources.begin(), sources.size()), options);
+  }
+  /// @param sources a range of vertices (of any type of integers), of SurfacePoint, or of Source
+  /// @throws as above
   template <std::ranges::input_range Sources>
   Field from(Sources&& sources, const FieldOptions& options = {}) {
     Query query{.sources = {}, .limit = options.limit};
@@ -209,6 +221,14 @@ class DistanceSolver {
  private:
   static Source source_at(const SurfacePoint& point) { return {.at = point}; }
   static Source source_at(const Source& source) { return source; }
+  Source source_at(std::integral auto vertex) const {
+    if (!std::in_range<Index>(vertex)) {
+      throw std::invalid_argument("source vertex " + std::to_string(vertex) +
+                                  " is not in the mesh of " +
+                                  std::to_string(mesh_->vertex_count()) + " vertices");
+    }
+    return {.at = static_cast<Index>(vertex)};
+  }
 
   std::shared_ptr<const Mesh> mesh_;
   PointSolver solver_;

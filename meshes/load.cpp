@@ -67,6 +67,12 @@ std::string list_seams(const DefectReport& report, const std::string& weld_optio
 
 std::vector<RepairAction> weld_and_leave_out(MeshFile& file, const std::string& name,
                                              const LoadOptions& options) {
+  const TriangleSoup& soup = file.soup;
+  try {
+    check_names(soup.positions.size(), soup.triangles, soup.joined_to, soup.left_out);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(name + ": " + error.what());
+  }
   std::vector<RepairAction> done;
   try {
     if (options.weld) done = weld(file.soup, *options.weld);
@@ -89,6 +95,9 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                     "; correct the mesh or use " + options.repair_option);
   }
   const bool has_faces = std::ranges::count(faces_of(soup), true) > 0;
+  if (!has_faces && errors.empty() && soup.joined_to.empty()) {
+    throw MeshError(name + ": empty mesh: no faces");
+  }
   if (!has_faces && errors.empty()) {
     throw MeshError(name +
                     ": every face collapses when vertices are joined; join them within a "

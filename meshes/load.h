@@ -75,7 +75,8 @@ std::string list_seams(const DefectReport& report, const std::string& weld_optio
 /// Joins the vertices of a file, and then leaves faces out, as the options say.
 /// @param name the file's name, for messages
 /// @return what the weld did
-/// @throws MeshError for a distance that is negative or not finite, and as leave_out
+/// @throws MeshError for a distance that is negative or not finite, and as check_names and
+/// leave_out
 std::vector<RepairAction> weld_and_leave_out(MeshFile& file, const std::string& name,
                                              const LoadOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -59,5 +60,10 @@ class GroupedPairs {
 std::vector<double> pair_distances(const Mesh& mesh, std::span<const PointPair> pairs,
                                    std::string_view solver = "edge-based",
                                    unsigned threads = std::thread::hardware_concurrency());
+inline std::vector<double> pair_distances(const Mesh& mesh, std::initializer_list<PointPair> pairs,
+                                          std::string_view solver = "edge-based",
+                                          unsigned threads = std::thread::hardware_concurrency()) {
+  return pair_distances(mesh, std::span(pairs.begin(), pairs.size()), solver, threads);
+}
 
 }  // namespace geodesic

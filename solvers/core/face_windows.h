@@ -88,7 +88,7 @@ class FaceWindows {
   /// Memory for some windows.
   struct Block {
     struct Free {
-      void operator()(void* memory) const { std::free(memory); }
+      void operator()(void* block) const { std::free(block); }
     };
     std::unique_ptr<void, Free> memory;
     std::size_t windows;

@@ -35,6 +35,35 @@ void check_extent(std::span<const Vec3> positions) {
                               significant(kGreatestExtent, 3) + "; scale it");
 }
 
+void check_names(std::size_t vertices, std::span<const Triangle> triangles,
+                 std::span<const Index> joined_to, const std::vector<bool>& left_out) {
+  if (!left_out.empty() && left_out.size() != triangles.size()) {
+    throw std::invalid_argument("left_out has " + std::to_string(left_out.size()) + " flags for " +
+                                std::to_string(triangles.size()) + " triangles");
+  }
+  if (joined_to.empty()) return;
+  if (joined_to.size() != vertices) {
+    throw std::invalid_argument("joined_to has " + std::to_string(joined_to.size()) +
+                                " numbers for " + std::to_string(vertices) + " vertices");
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Index first = joined_to[v];
+    if (first < vertices && joined_to[first] == first) continue;
+    throw std::invalid_argument(
+        "vertex " + std::to_string(v) + " is joined to vertex " + std::to_string(first) +
+        (first < vertices ? ", which is joined to another one" : ", which is not there"));
+  }
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (!left_out.empty() && left_out[f]) continue;
+    for (const Index v : triangles[f]) {
+      if (v >= vertices || joined_to[v] == v) continue;
+      throw std::invalid_argument("face " + std::to_string(f) + " names vertex " +
+                                  std::to_string(v) + ", which is joined to vertex " +
+                                  std::to_string(joined_to[v]) + "; it must name that one");
+    }
+  }
+}
+
 void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                       const std::vector<bool>& left_out) {
   if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
@@ -62,6 +91,7 @@ void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle>
 Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
            std::span<const Index> joined_to, const std::vector<bool>& left_out, Numbering numbering,
            NonManifoldEdges non_manifold_edges) {
+  check_names(positions.size(), triangles, joined_to, left_out);
   check_mesh_input(positions, triangles, left_out);
   external_faces_ = static_cast<Index>(triangles.size());
   std::vector<Index> faces;

@@ -58,6 +58,7 @@ class Mesh {
       : Mesh(positions, triangles, {}, {}, numbering, non_manifold_edges) {}
   /// @param soup joined vertices, which no face may name, share the distance of the one that stands
   ///        for them; triangles that are left out keep their numbers
+  /// @throws std::invalid_argument for the reasons above, and of check_names (mesh_input.h)
   explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given,
                 NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
       : Mesh(soup.positions, soup.triangles, soup.joined_to, soup.left_out, numbering,

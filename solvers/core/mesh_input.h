@@ -1,6 +1,7 @@
 // The input checks of Mesh's constructor, for code that stores the input and builds the mesh later.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,5 +22,11 @@ void check_extent(std::span<const Vec3> positions);
 /// @throws std::invalid_argument for the reasons of Mesh's constructor
 void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                       const std::vector<bool>& left_out = {});
+
+/// Checks that a TriangleSoup's other members fit its positions and triangles.
+/// @throws std::invalid_argument for members of another length, a joined vertex that stands for
+///         another one or that a face names, and a number that the mesh does not have
+void check_names(std::size_t vertices, std::span<const Triangle> triangles,
+                 std::span<const Index> joined_to, const std::vector<bool>& left_out);
 
 }  // namespace geodesic

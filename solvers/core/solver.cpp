@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solvers/core/messages.h"
+
 namespace geodesic {
 namespace {
 
@@ -42,7 +44,9 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
   if (query.sources.size() > 1 && !solver.abilities.multiple_sources) {
     refuse(solver, "supports a single source only");
   }
-  if (!(query.limit >= 0)) refuse(solver, "the distance limit must be 0 or more");
+  if (!(query.limit >= 0)) {
+    refuse(solver, "the distance limit must be 0 or more, not " + significant(query.limit, 6));
+  }
   if (query.limit < kInfinity && !solver.abilities.distance_limit) {
     refuse(solver, "supports no distance limit");
   }
@@ -56,7 +60,8 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
       refuse(solver, "supports sources at vertices only");
     }
     if (!(source.distance >= 0) || !std::isfinite(source.distance)) {
-      refuse(solver, "an initial distance must be finite and not negative");
+      refuse(solver, "an initial distance must be finite and not negative, not " +
+                         significant(source.distance, 6));
     }
     if (source.distance > 0 && !solver.abilities.initial_distances) {
       refuse(solver, "supports no initial distances");

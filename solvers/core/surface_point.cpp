@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solvers/core/messages.h"
 #include "solvers/core/tolerance.h"
 
 namespace geodesic {
@@ -82,6 +83,8 @@ Vec3 position_of(const Mesh& mesh, const InternalPoint& point) {
 }
 
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
+  const std::string defect = defect_of(mesh, point);
+  if (!defect.empty()) throw std::invalid_argument(defect);
   return position_of(mesh, in_internal_numbers(mesh, point));
 }
 
@@ -90,7 +93,7 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
     if (point.vertex < mesh.vertex_count()) return {};
     return not_in_mesh("vertex", point.vertex, mesh.vertex_count(), "vertices");
   }
-  if (point.face == kNone) return "a surface point is neither a vertex nor in a face";
+  if (point.face == kNone) return "point is neither a vertex nor in a face";
   if (point.face >= mesh.external_face_count()) {
     return not_in_mesh("face", point.face, mesh.external_face_count(), "faces");
   }
@@ -103,8 +106,9 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
       std::abs(w[0] + w[1] + w[2] - 1) <= kWeightSum) {
     return {};
   }
-  return "the weights of a point in face " + std::to_string(point.face) +
-         " must not be negative, must have the sum 1, and at most one may be 0";
+  return "point in face " + std::to_string(point.face) + " has the weights " +
+         significant(w[0], 6) + ", " + significant(w[1], 6) + ", " + significant(w[2], 6) +
+         ": none may be negative, their sum must be 1, and at most one may be 0";
 }
 
 InternalPoint in_internal_numbers(const Mesh& mesh, const SurfacePoint& point) {

@@ -43,13 +43,14 @@ SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double
 SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share);
 
 /// Position in space, in the mesh's unit of length.
+/// @throws std::invalid_argument for a point that is not of this mesh
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// Position of a point in internal numbers.
+/// Position of a point in internal numbers, which is not checked.
 Vec3 position_of(const Mesh& mesh, const PointIn<Numbers::internal>& point);
 
-/// Says what is wrong with a point on this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty
-/// for a valid point. Every query is checked by it.
+/// Says what is wrong with a point on this mesh: "vertex 9 is not in the mesh of 8 vertices", after
+/// "source " too; empty for a valid point. Every query is checked by it.
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
 
 /// Converts a point to internal numbers.

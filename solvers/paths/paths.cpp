@@ -1,7 +1,6 @@
 #include "solvers/paths/paths.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,6 +24,26 @@ double farthest_of(const Query& query, const Recording& recording) {
   if (!query.stop_at_targets || recording.targets.empty()) return query.limit;
   return std::min(query.limit,
                   std::ranges::max(recording.targets, {}, &AtTarget::distance).distance);
+}
+
+/// The vector, in space, of the part of a path's last piece that lies in the face of its end.
+/// @param end the last piece's; if it is no vertex, in some face
+Vec3 direction_of(const Mesh& mesh, const LastSegment& last, const InternalPoint& end) {
+  const HalfEdge& e = mesh.half_edge(last.half_edge);
+  Point2 at = {e.apex_x, e.apex_y};
+  if (!end.is_vertex()) {
+    for (const InternalPoint& image : in_every_face(mesh, end)) {
+      if (image.face == last.half_edge / 3) at = in_frame(mesh, image, last.half_edge);
+    }
+  }
+  const Vec3& origin = mesh.position(e.origin);
+  const Vec3 along =
+      scale(1 / e.length, subtract(mesh.position(mesh.head(last.half_edge)), origin));
+  const Vec3 to_apex = subtract(mesh.position(mesh.apex(last.half_edge)), origin);
+  // In a face without area, paths lead along the edge.
+  const Vec3 up =
+      e.apex_y > 0 ? scale(1 / e.apex_y, subtract(to_apex, scale(e.apex_x, along))) : Vec3{};
+  return add(scale(at.x - last.from.x, along), scale(at.y - last.from.y, up));
 }
 
 }  // namespace
@@ -81,27 +100,18 @@ Vec3 Paths::gradient_at(const SurfacePoint& point) const {
   if (!end.is_vertex() && !windows_) {
     throw std::invalid_argument(
         "the gradient at a point that is no vertex needs a solve with anywhere=True (in C++ "
-        "FieldOptions::anywhere)");
+        "FieldOptions::anywhere) by a solver that propagates windows, such as edge-based");
   }
-  const LastSegment last = end.is_vertex() ? last_segments_[end.vertex] : at(end).last_segment;
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (last.half_edge == kNone) return {kNaN, kNaN, kNaN};
-  const HalfEdge& e = mesh.half_edge(last.half_edge);
-  Point2 at = {e.apex_x, e.apex_y};
-  if (!end.is_vertex()) {
-    for (const InternalPoint& image : in_every_face(mesh, end)) {
-      if (image.face == last.half_edge / 3) at = in_frame(mesh, image, last.half_edge);
-    }
+  LastSegment last = end.is_vertex() ? last_segments_[end.vertex] : at(end).last_segment;
+  Vec3 direction{};
+  for (Index pieces = 0; last.half_edge != kNone && pieces <= mesh.vertex_count(); ++pieces) {
+    direction = direction_of(mesh, last, end);
+    if (norm(direction) > 0 || last.root >= mesh.vertex_count()) break;
+    // The root of this piece, at the place of the end, continues the path.
+    end = InternalPoint(last.root);
+    last = last_segments_[last.root];
   }
-  const Vec3& origin = mesh.position(e.origin);
-  const Vec3 along =
-      scale(1 / e.length, subtract(mesh.position(mesh.head(last.half_edge)), origin));
-  const Vec3 to_apex = subtract(mesh.position(mesh.apex(last.half_edge)), origin);
-  // In a face without area, paths lead along the edge.
-  const Vec3 up =
-      e.apex_y > 0 ? scale(1 / e.apex_y, subtract(to_apex, scale(e.apex_x, along))) : Vec3{};
-  const Vec3 direction = add(scale(at.x - last.from.x, along), scale(at.y - last.from.y, up));
-  return scale(1 / norm(direction), direction);
+  return scale(1 / norm(direction), direction);  // not a number for 0
 }
 
 std::optional<Path> Paths::find_to_point(const SurfacePoint& point) const {

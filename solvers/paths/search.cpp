@@ -115,6 +115,7 @@ PathSearch::Piece PathSearch::run_towards(Index root, double length) {
 void PathSearch::look_around(double accuracy) {
   slack_ = accuracy * (distance_ + mesh_.mean_edge_length());
   ends_.clear();
+  faces_.clear();
   views_.clear();
   views_of_.clear();
   best_ = {};
@@ -122,12 +123,9 @@ void PathSearch::look_around(double accuracy) {
     ends_.push_back({end_.vertex, kNone, kNone});
     for (Index i = 0; i < ends_.size(); ++i) start_at_vertex(i);
   } else {
-    for (const InternalPoint& end : in_every_face(mesh_, end_)) {
-      const Index under = edge_under(end);
-      for (Index h = 3 * end.face; h < 3 * end.face + 3; ++h) {
-        start(h, in_frame(mesh_, end, h), under, kNone);
-      }
-    }
+    const std::vector<InternalPoint> images = in_every_face(mesh_, end_);
+    for (const InternalPoint& end : images) faces_.push_back(end.face);
+    for (const InternalPoint& end : images) start_in_face(end);
   }
   // The loop also visits the views that it adds.
   for (Index view = 0; view < views_.size(); ++view) look_beyond(view);
@@ -140,7 +138,12 @@ void PathSearch::start_at_vertex(Index i) {
     if (mesh_.half_edge(outgoing).length == 0) add_end(mesh_.head(outgoing), h / 3, i);
     if (mesh_.half_edge(back).length == 0) add_end(mesh_.origin(back), h / 3, i);
     const HalfEdge& e = mesh_.half_edge(h);
-    start(h, {e.apex_x, e.apex_y}, kNone, i);
+    const Point2 eye{e.apex_x, e.apex_y};
+    const Root root{.half_edge = h, .end = i};
+    consider_vertex(mesh_.origin(h), {0, 0}, eye, root);
+    consider_vertex(mesh_.head(h), {e.length, 0}, eye, root);
+    consider_sources(eye, root);
+    see_from(h, eye, i);
   }
 }
 
@@ -152,16 +155,29 @@ bool PathSearch::is_end(Index vertex) const {
   return std::ranges::find(ends_, vertex, &End::vertex) != ends_.end();
 }
 
-/// @param eye the end in the frame of h, which is one side of a face of the end
-/// @param under the half-edge on which the end lies; the face beyond has its own image of it
-void PathSearch::start(Index h, const Point2& eye, Index under, Index end) {
-  const double length = mesh_.half_edge(h).length;
-  const Root root{.half_edge = h, .end = end};
+/// @param end the end in one of its faces
+void PathSearch::start_in_face(const InternalPoint& end) {
+  // In the frame at the nearest corner: near it, coordinates have all digits of the weights.
+  const auto nearest = std::ranges::max_element(end.weights) - end.weights.begin();
+  const Index h = 3 * end.face + static_cast<Index>(nearest);
+  const HalfEdge& e = mesh_.half_edge(h);
+  const Point2 eye = in_frame(mesh_, end, h);
+  const Root root{.half_edge = h};
   consider_vertex(mesh_.origin(h), {0, 0}, eye, root);
-  consider_vertex(mesh_.head(h), {length, 0}, eye, root);
+  consider_vertex(mesh_.head(h), {e.length, 0}, eye, root);
+  consider_vertex(mesh_.apex(h), {e.apex_x, e.apex_y}, eye, root);
   consider_sources(eye, root);
-  if (h == under) return;
-  see(h, {length - eye.x, -eye.y}, 0, length, kNone, end);
+  const Index under = edge_under(end);  // the face beyond has its own image of the end
+  for (Index side = 3 * end.face; side < 3 * end.face + 3; ++side) {
+    if (side != under) see_from(side, in_frame(mesh_, end, side), kNone);
+  }
+}
+
+/// Looks through a side of a face of the end.
+/// @param eye the end in the frame of the side
+void PathSearch::see_from(Index side, const Point2& eye, Index end) {
+  const double length = mesh_.half_edge(side).length;
+  see(side, {length - eye.x, -eye.y}, 0, length, kNone, end);
 }
 
 void PathSearch::look_beyond(Index view) {
@@ -277,12 +293,18 @@ void PathSearch::consider_sources(const Point2& eye, Root root) {
     for (const InternalPoint& source : field_.images(i)) {
       if (source.face != root.half_edge / 3) continue;
       const Point2 place = in_frame(mesh_, source, root.half_edge);
-      if (root.view != kNone && !shows(views_[root.view], place)) continue;
+      if (root.view != kNone && (is_beside(i) || !shows(views_[root.view], place))) continue;
       root.root = mesh_.vertex_count() + i;
       root.at = field_.images(i).front();
       consider(root, field_.query().sources[i].distance, place, eye);
     }
   }
+}
+
+bool PathSearch::is_beside(Index source) const {
+  return std::ranges::any_of(field_.images(source), [this](const InternalPoint& image) {
+    return std::ranges::find(faces_, image.face) != faces_.end();
+  });
 }
 
 bool PathSearch::shows(const View& view, const Point2& place) const {

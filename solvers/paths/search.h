@@ -101,7 +101,8 @@ class PathSearch {
   void start_at_vertex(Index i);
   void add_end(Index vertex, Index face, Index previous);
   bool is_end(Index vertex) const;
-  void start(Index h, const Point2& eye, Index under, Index end);
+  void start_in_face(const InternalPoint& end);
+  void see_from(Index side, const Point2& eye, Index end);
   void look_beyond(Index view);
   /// Adds a view of the visible part of a side.
   void see(Index side, const Point2& eye, double begin, double end, Index parent, Index first);
@@ -110,6 +111,8 @@ class PathSearch {
   bool is_seen(const View& view) const;
   /// Whether a point of the face beyond is visible through a view.
   bool shows(const View& view, const Point2& place) const;
+  /// Whether a source lies in a face of the end, where no path is shorter than the line to it.
+  bool is_beside(Index source) const;
   void consider_vertex(Index v, const Point2& place, const Point2& eye, Root root);
   void consider_sources(const Point2& eye, Root root);
   void consider(Root root, double distance, const Point2& place, const Point2& eye);
@@ -127,6 +130,7 @@ class PathSearch {
   Vec3 aim_position_;  ///< of that root
   double to_aim_ = 0;  ///< length of the line from it
   std::vector<End> ends_;
+  std::vector<Index> faces_;  // of an end that is no vertex
   std::vector<View> views_;
   std::unordered_map<Index, std::vector<Index>> views_of_;  // indices of views, by half-edge
   Root best_;

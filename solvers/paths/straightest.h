@@ -38,11 +38,10 @@ double angle_of(const Mesh& mesh, const SurfacePoint& begin, const Vec3& vector)
 /// (Polthier and Schmies 1998, "Straightest geodesics on polyhedral surfaces", definition 1). It
 /// ends after this length, or at the boundary.
 /// @param angle taken modulo the total angle
-/// @param length not negative, in the mesh's unit of length
+/// @param length from 0 to 10^7 times the mean edge length, in the mesh's unit of length
 /// @throws std::invalid_argument for a point that is not of this mesh or a vertex without a face,
-/// an
-///         angle that is not finite, a length that is negative or not finite, and a mesh whose
-///         paths cross non-manifold edges: its faces have no orientation
+///         an angle that is not finite, another length, and a mesh whose paths cross non-manifold
+///         edges: its faces have no orientation
 StraightestLine trace_straightest(const Mesh& mesh, const SurfacePoint& begin, double angle,
                                   double length);
 

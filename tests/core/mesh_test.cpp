@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meshes/connectivity.h"
+#include "tests/message_of.h"
 #include "tests/shapes.h"
 
 namespace geodesic {
@@ -306,6 +307,24 @@ TEST(Mesh, refuses_extents_beyond_those_that_solvers_take) {
   for (const double size : {1e-300, 1e-21, 1e20, 4e307}) {
     EXPECT_THROW(Mesh(triangle(size)), std::invalid_argument) << size;
   }
+}
+
+TEST(Mesh, refuses_joined_vertices_and_left_out_faces_that_do_not_fit) {
+  const auto refused = [](std::vector<Index> joined_to, std::vector<bool> left_out) {
+    TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}},
+                      {{0, 1, 2}, {0, 2, 3}}};
+    soup.joined_to = std::move(joined_to);
+    soup.left_out = std::move(left_out);
+    return message_of<std::invalid_argument>([&] { Mesh{soup}; });
+  };
+  EXPECT_EQ(refused({0, 1, 2, 3, 2}, {false, true}), "nothing was thrown");
+  EXPECT_EQ(refused({0, 1}, {}), "joined_to has 2 numbers for 5 vertices");
+  EXPECT_EQ(refused({0, 1, 2, 3, 7}, {}), "vertex 4 is joined to vertex 7, which is not there");
+  EXPECT_EQ(refused({1, 4, 2, 3, 4}, {}),
+            "vertex 0 is joined to vertex 1, which is joined to another one");
+  EXPECT_EQ(refused({0, 1, 4, 3, 4}, {}),
+            "face 0 names vertex 2, which is joined to vertex 4; it must name that one");
+  EXPECT_EQ(refused({}, {true}), "left_out has 1 flags for 2 triangles");
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #include <geodesic/geodesic.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -74,6 +76,14 @@ TEST(SurfaceMesh, of_triangles_is_checked_as_that_of_a_file) {
   EXPECT_NEAR(DistanceSolver(crossed).from({2})[3], 2, 1e-12);
 }
 
+TEST(SurfaceMesh, without_a_face_is_refused_for_that_reason) {
+  const std::string why = "the triangles: empty mesh: no faces";
+  const TriangleSoup points{{{0, 0, 0}, {1, 0, 0}}, {}};
+  EXPECT_EQ(message_of<MeshError>([] { SurfaceMesh{TriangleSoup{}}; }), why);
+  EXPECT_EQ(message_of<MeshError>([&] { SurfaceMesh{points}; }), why);
+  EXPECT_EQ(message_of<MeshError>([&] { SurfaceMesh(points, {.repair = true, .weld = 0}); }), why);
+}
+
 TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_numbering) {
   const SurfaceMesh mesh = read_sphere();
   for (const std::string name : {"edge-based", "mmp", "dijkstra"}) {
@@ -92,6 +102,32 @@ TEST(DistanceSolver, takes_initial_distances) {
   EXPECT_EQ(field[17], 0);
   EXPECT_LE(field[5], 0.25);
   EXPECT_GT(field[5], 0);
+}
+
+TEST(DistanceSolver, takes_sources_in_any_list_of_vertices_points_and_sources) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const SurfacePoint point = point_in_face(mesh, 7, {1, 2, 3});
+  const std::vector<double> from_two = all(solver.from({5, 17}));
+  EXPECT_EQ(all(solver.from(std::vector<int>{5, 17})), from_two);
+  EXPECT_EQ(all(solver.from(std::vector<std::size_t>{5, 17})), from_two);
+  EXPECT_EQ(all(solver.from({{.at = 5}, {.at = 17, .distance = 0}})), from_two);
+  EXPECT_EQ(all(solver.from({Source{5, 0.}, Source{17, 0.}})), from_two);
+  EXPECT_EQ(all(solver.from(point)), all(solver.from({point})));
+  EXPECT_EQ(all(solver.from(5, {.limit = 1})), all(solver.from({5}, {.limit = 1})));
+  EXPECT_EQ(all(solver.from({{point, 0.25}, {5, 0.5}})),
+            all(solver.from(
+                std::vector<Source>{{.at = point, .distance = 0.25}, {.at = 5, .distance = 0.5}})));
+}
+
+TEST(DistanceSolver, refuses_a_number_that_no_index_holds_instead_of_cutting_it_off) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const std::string end =
+      " is not in the mesh of " + std::to_string(mesh.vertex_count()) + " vertices";
+  EXPECT_EQ(refusal([&] { solver.from(std::vector<int>{3, -1}); }), "source vertex -1" + end);
+  EXPECT_EQ(refusal([&] { solver.from(std::vector<std::uint64_t>{1ull << 32}); }),
+            "source vertex 4294967296" + end);
 }
 
 // A range whose `begin` is not const, as of std::views::filter.
@@ -212,6 +248,51 @@ TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
   }
 }
 
+// Its coordinates in a frame at another corner have lost the digits of the distance.
+TEST(Field, has_all_digits_of_the_distance_at_a_point_next_to_a_source) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    const auto beside = [&](double along, double up) {
+      std::array<double, 3> weights{};
+      weights[k] = 1;
+      weights[l] = along;
+      weights[m] = up;
+      return point_in_face(mesh, 7, weights);
+    };
+    const auto from_corner = [&](const SurfacePoint& point) {
+      const Triangle& t = kSphere.triangles[7];
+      const Vec3& corner = kSphere.positions[t[k]];
+      return add(scale(point.weights[l], subtract(kSphere.positions[t[l]], corner)),
+                 scale(point.weights[m], subtract(kSphere.positions[t[m]], corner)));
+    };
+    const SurfacePoint point = beside(3e-10, 4e-10), source = beside(0, 1e-9);
+    const double from_source = norm(subtract(from_corner(point), from_corner(source)));
+    const double to_corner = norm(from_corner(point));
+    for (const bool anywhere : {false, true}) {
+      EXPECT_NEAR(solver.from(source, {.anywhere = anywhere}).at(point), from_source,
+                  1e-12 * from_source);
+      EXPECT_NEAR(solver.from(kSphere.triangles[7][k], {.anywhere = anywhere}).at(point), to_corner,
+                  1e-12 * to_corner);
+    }
+  }
+}
+
+TEST(Field, has_one_gradient_at_both_ends_of_an_edge_without_length) {
+  TriangleSoup soup = kSphere;
+  const auto [a, b, c] = soup.triangles[100];
+  soup.positions[b] = soup.positions[a];
+  const SurfaceMesh mesh(soup);
+  for (const Index source : {0u, 40u, c}) {
+    const Field field = DistanceSolver(mesh).from({source});
+    const Vec3 gradient = field.gradient(a);
+    EXPECT_NEAR(norm(gradient), 1, 1e-12);
+    EXPECT_NEAR(norm(subtract(field.gradient(b), gradient)), 0, 1e-12);
+  }
+  EXPECT_TRUE(std::isnan(DistanceSolver(mesh).from({a}).gradient(b)[0]));
+}
+
 // Points become vertices: the graph of edges has no vertices inside faces.
 TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
   const SurfaceMesh mesh = read_sphere();
@@ -306,6 +387,10 @@ TEST(DistanceSolver, says_in_one_line_what_it_cannot_do) {
            [&] { solver.from(std::vector<Index>{}); },
            [&] { solver.from({0}, {.limit = -1}); },
            [&] { DistanceSolver(mesh, "no-such-solver"); },
+           [&] { solver.from({{.at = 0, .distance = -1}}); },
+           [&] { solver.from({SurfacePoint()}); },
+           [&] { position_of(mesh, SurfacePoint()); },
+           [&] { position_of(mesh, 9999); },
        }) {
     const std::string line = refusal(call);
     EXPECT_NE(line, "");

@@ -99,6 +99,21 @@ TEST_F(Load, RefusesAWeldThatLeavesNoFaceAndADistanceThatIsNone) {
             "more, not -2");
 }
 
+TEST_F(Load, RefusesTrianglesWhoseFlagsOrJoinedVerticesDoNotFit) {
+  MeshFile file;
+  file.soup = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  for (const bool repair : {false, true}) {
+    file.soup.joined_to = {0, 1, 2, 9};
+    EXPECT_EQ(message_of<MeshError>([&] { build_mesh(file, "a", {.repair = repair}); }),
+              "a: vertex 3 is joined to vertex 9, which is not there");
+    file.soup.joined_to.clear();
+    file.soup.left_out = {true};
+    EXPECT_EQ(message_of<MeshError>([&] { build_mesh(file, "a", {.repair = repair}); }),
+              "a: left_out has 1 flags for 2 triangles");
+    file.soup.left_out.clear();
+  }
+}
+
 TEST_F(Load, LeavesAvoidedFacesOutAfterAWeldAndBeforeDefectsAreSearchedFor) {
   const auto path = write("a.obj", kSeam + "f 1 2 2\n");
   for (const bool repair : {false, true}) {

@@ -241,6 +241,15 @@ TEST(Ply, RefusesHeadersThatHoldNoSurface) {
   for (const auto& [text, expected] : cases) expect_refusal(text, "test.ply", expected);
 }
 
+TEST(Ply, SaysOfTextThatEndsTooEarlyThatItIsTruncated) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n";
+  expect_refusal(vertices, "a.ply", "vertex 2 of 3: it is truncated");
+  expect_refusal(vertices + "0 1 0\n", "a.ply", "face 0 of 1: it is truncated");
+}
+
 TEST(Ply, RefusesMoreDataThanTheHeaderCounts) {
   expect_refusal(kPly + "3 0 1 2\n", "a.ply", "more lines than the header");
   const std::string binary = binary_ply<float>(std::endian::little);
