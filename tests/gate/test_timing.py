@@ -112,6 +112,16 @@ def test_a_median_above_the_margin_is_not_resolved_when_the_budget_is_spent() ->
     assert Machine({A: 1.12}, 0.1).verdict(most=1, strict=True).exit_code == NOT_RESOLVED
 
 
+@pytest.mark.parametrize(("spread", "decision"), [(0.01, Decision.SAME), (0.08, Decision.UNDECIDED)])
+def test_an_interval_below_the_margin_is_undecided_if_half_the_margin_fits_in(
+    spread: float, decision: Decision
+) -> None:
+    timed = Timing(1.1, {})
+    ratios = [1 - spread, 1.0, 1 + spread] * (PAIRS // 3)
+    timed.add({A: Pairs([1.0] * len(ratios), ratios)})
+    assert timed.decision(A) == decision
+
+
 def test_a_solver_that_is_slower_on_the_mean_is_a_regression() -> None:
     """The noise of each single row is too large."""
     timed = Timing(1.1, {})
