@@ -339,6 +339,18 @@ std::vector<Item> read_items(const std::filesystem::path& file, const std::strin
   }
 }
 
+/// Parses a file of JSON or of text.
+/// @param item what a file without any lacks
+template <class Item>
+std::vector<Item> parse_items(std::string_view bytes, const std::string& where, const char* item,
+                              std::vector<Item> (*list)(const Json&, const std::string&),
+                              std::vector<Item> (*text)(std::string_view, const std::string&)) {
+  std::vector<Item> items =
+      are_json(bytes, where) ? list(parse_json(bytes, where), where) : text(bytes, where);
+  if (items.empty()) refuse_empty(where, item);
+  return items;
+}
+
 SurfacePoint on_surface(const WrittenPoint& point, const Mesh& mesh) {
   switch (point.kind) {
     case Kind::edge:
@@ -368,11 +380,7 @@ std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const s
 }
 
 std::vector<Index> parse_numbers_file(std::string_view bytes, const std::string& where) {
-  std::vector<Index> numbers = are_json(bytes, where)
-                                   ? parse_numbers_list(parse_json(bytes, where), where)
-                                   : parse_numbers_text(bytes, where);
-  if (numbers.empty()) refuse_empty(where, "number");
-  return numbers;
+  return parse_items(bytes, where, "number", parse_numbers_list, parse_numbers_text);
 }
 
 std::vector<Index> read_numbers(const std::filesystem::path& file, const std::string& flag) {
@@ -380,11 +388,7 @@ std::vector<Index> read_numbers(const std::filesystem::path& file, const std::st
 }
 
 std::vector<WrittenPair> parse_pairs_file(std::string_view bytes, const std::string& where) {
-  std::vector<WrittenPair> pairs = are_json(bytes, where)
-                                       ? parse_pairs_list(parse_json(bytes, where), where)
-                                       : parse_pairs_text(bytes, where);
-  if (pairs.empty()) refuse_empty(where, "pair");
-  return pairs;
+  return parse_items(bytes, where, "pair", parse_pairs_list, parse_pairs_text);
 }
 
 std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std::string& flag) {
@@ -392,11 +396,7 @@ std::vector<WrittenPair> read_pairs(const std::filesystem::path& file, const std
 }
 
 std::vector<WrittenSet> parse_sets_file(std::string_view bytes, const std::string& where) {
-  std::vector<WrittenSet> sets = are_json(bytes, where)
-                                     ? parse_sets_list(parse_json(bytes, where), where)
-                                     : parse_sets_text(bytes, where);
-  if (sets.empty()) refuse_empty(where, "set");
-  return sets;
+  return parse_items(bytes, where, "set", parse_sets_list, parse_sets_text);
 }
 
 std::vector<WrittenSet> read_sets(const std::filesystem::path& file, const std::string& flag) {

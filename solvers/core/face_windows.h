@@ -58,8 +58,6 @@ class FaceWindows {
   AtTarget nearest(const InternalPoint& point, const AtTarget& known = {}) const;
 
   std::size_t window_count() const;
-  /// Allocated bytes.
-  std::size_t bytes() const;
 
  private:
   /// A window without sigma, which is the final distance of its root. The ends of its interval are
