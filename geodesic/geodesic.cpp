@@ -48,7 +48,7 @@ std::span<const double> Field::distances() const& {
 }
 
 std::vector<double> Field::at(std::span<const SurfacePoint> points,
-                              const std::function<void()>& before_some) const {
+                              const BeforeSome& before_some) const {
   if (paths_) return paths_->distances_at(points, before_some);
   std::vector<double> found;
   for (const SurfacePoint& point : points) {
@@ -75,6 +75,16 @@ std::optional<Path> Field::find_path_to(const SurfacePoint& point) const {
 }
 
 std::vector<Index> Field::nearest_sources() const { return paths().nearest_sources(); }
+
+std::vector<Index> Field::nearest_sources(std::span<const SurfacePoint> points,
+                                          const BeforeSome& before_some) const {
+  return paths().nearest_sources_at(points, before_some);
+}
+
+std::vector<Vec3> Field::gradients(std::span<const SurfacePoint> points,
+                                   const BeforeSome& before_some) const {
+  return paths().gradients_at(points, before_some);
+}
 
 const Paths& Field::paths() const {
   if (!paths_) throw std::invalid_argument(solver_ + " does not remember paths");

@@ -100,15 +100,17 @@ class Field {
   /// @throws std::invalid_argument when the point is not of this mesh
   double at(const SurfacePoint& point) const { return at(std::span(&point, 1)).front(); }
   /// Distances of several points, as above; a solver that does not remember paths solves once.
-  /// @param before_some called before each search or solve, or before every 1,000 points or so; may
-  /// throw to end the call
+  /// @param before_some called before each search or solve, or before every 1,000 points or so
   std::vector<double> at(std::span<const SurfacePoint> points,
-                         const std::function<void()>& before_some = {}) const;
+                         const BeforeSome& before_some = {}) const;
   /// The gradient of the distance: a vector of length 1 in the plane of a face, in which the
   /// shortest path arrives at the point. It is not a number at a source and where no path leads.
   /// @throws std::invalid_argument when the point is not of this mesh, the solver does not remember
   ///         paths, or the point is no vertex and FieldOptions::anywhere was not set
   Vec3 gradient(const SurfacePoint& point) const { return paths().gradient_at(point); }
+  /// Those of several points, in the order that is fastest, as `at`.
+  std::vector<Vec3> gradients(std::span<const SurfacePoint> points,
+                              const BeforeSome& before_some = {}) const;
 
   /// A shortest path from the nearest source to a vertex or a point, without another solve.
   /// @throws std::invalid_argument when the point is not of this mesh, no path leads there within
@@ -121,6 +123,9 @@ class Field {
   /// path leads.
   /// @throws std::invalid_argument for the other reasons of `path_to`
   Index nearest_source(const SurfacePoint& point) const { return paths().nearest_source(point); }
+  /// Those of several points, in the order that is fastest, as `at`.
+  std::vector<Index> nearest_sources(std::span<const SurfacePoint> points,
+                                     const BeforeSome& before_some = {}) const;
   /// Those of all vertices, in linear time.
   std::vector<Index> nearest_sources() const;
 

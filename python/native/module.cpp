@@ -417,12 +417,7 @@ py::array_t<double> distances_at(const FieldPointer& solved, const SurfacePoints
 py::array_t<std::int64_t> nearest_sources_at(const FieldPointer& solved,
                                              const SurfacePoints& points) {
   return signed_indices(in_background([=](Task& task) {
-    std::vector<Index> nearest;
-    for (const SurfacePoint& point : points.points) {
-      task.throw_if_abandoned();
-      nearest.push_back(solved->nearest_source(point));
-    }
-    return nearest;
+    return solved->nearest_sources(points.points, [&] { task.throw_if_abandoned(); });
   }));
 }
 
@@ -430,9 +425,8 @@ py::array_t<std::int64_t> nearest_sources_at(const FieldPointer& solved,
 py::array_t<double> gradients_at(const FieldPointer& solved, const SurfacePoints& points) {
   std::vector<double> numbers = in_background([=](Task& task) {
     std::vector<double> found;
-    for (const SurfacePoint& point : points.points) {
-      task.throw_if_abandoned();
-      const Vec3 gradient = solved->gradient(point);
+    for (const Vec3& gradient :
+         solved->gradients(points.points, [&] { task.throw_if_abandoned(); })) {
       found.insert(found.end(), gradient.begin(), gradient.end());
     }
     return found;

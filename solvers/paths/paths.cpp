@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "solvers/core/prefetch.h"
 #include "solvers/paths/trace.h"
 
 namespace geodesic {
@@ -79,19 +80,27 @@ double Paths::distance_at(const SurfacePoint& point) const {
   return windows_ ? at(own).distance : PathSearch::from_face(field_, own).distance;
 }
 
-std::vector<double> Paths::distances_at(std::span<const SurfacePoint> points,
-                                        const std::function<void()>& before_some) const {
-  constexpr std::size_t kSome = 1024;
+template <typename Answer>
+auto Paths::for_each(std::span<const SurfacePoint> points, const BeforeSome& before_some,
+                     Answer answer) const {
+  constexpr std::size_t kSome = 1024, kAhead = 16;
   std::vector<std::pair<Index, std::size_t>> order;  // by face
+  order.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) order.emplace_back(points[i].face, i);
   if (windows_) std::ranges::sort(order);
-  std::vector<double> found(points.size());
+  std::vector<decltype(answer(points[0]))> found(points.size());
   for (std::size_t n = 0; n < order.size(); ++n) {
     if (before_some && (!windows_ || n % kSome == 0)) before_some();
+    if (n + kAhead < order.size()) prefetch(&points[order[n + kAhead].second]);
     const std::size_t i = order[n].second;
-    found[i] = distance_at(points[i]);
+    found[i] = answer(points[i]);
   }
   return found;
+}
+
+std::vector<double> Paths::distances_at(std::span<const SurfacePoint> points,
+                                        const BeforeSome& before_some) const {
+  return for_each(points, before_some, [&](const SurfacePoint& p) { return distance_at(p); });
 }
 
 Vec3 Paths::gradient_at(const SurfacePoint& point) const {
@@ -112,6 +121,11 @@ Vec3 Paths::gradient_at(const SurfacePoint& point) const {
     last = last_segments_[last.root];
   }
   return scale(1 / norm(direction), direction);  // not a number for 0
+}
+
+std::vector<Vec3> Paths::gradients_at(std::span<const SurfacePoint> points,
+                                      const BeforeSome& before_some) const {
+  return for_each(points, before_some, [&](const SurfacePoint& p) { return gradient_at(p); });
 }
 
 std::optional<Path> Paths::find_to_point(const SurfacePoint& point) const {
@@ -169,6 +183,11 @@ Index Paths::nearest_source(const SurfacePoint& point) const {
     root = last_segments_[root].root;
   }
   throw std::runtime_error(kRoundabout);
+}
+
+std::vector<Index> Paths::nearest_sources_at(std::span<const SurfacePoint> points,
+                                             const BeforeSome& before_some) const {
+  return for_each(points, before_some, [&](const SurfacePoint& p) { return nearest_source(p); });
 }
 
 std::vector<Index> Paths::nearest_sources() const {

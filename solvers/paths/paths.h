@@ -18,6 +18,9 @@
 
 namespace geodesic {
 
+/// Called between the answers for many points; may throw to end the call.
+using BeforeSome = std::function<void()>;
+
 /// The paths of one solve, in 32 bytes per vertex including the distances, and the windows if the
 /// recording kept them (core/face_windows.h). The object is constant: any number of threads may use
 /// it.
@@ -43,15 +46,18 @@ class Paths {
   double distance_at(const SurfacePoint& point) const;
   /// As distance_at, of many points; with kept windows the points of a face follow each other, so
   /// that its windows are read once.
-  /// @param before_some called before each search, or before every 1,000 points or so; it may throw
+  /// @param before_some called before each search, or before every 1,000 points or so
   std::vector<double> distances_at(std::span<const SurfacePoint> points,
-                                   const std::function<void()>& before_some = {}) const;
+                                   const BeforeSome& before_some = {}) const;
   /// The gradient of the distance at a point, in space: the direction of length 1 in which the
   /// shortest path arrives, in the plane of the face in which it ends. It is not a number where no
   /// path leads and at a source.
   /// @throws std::invalid_argument if the point is not on this mesh, or if it is not a vertex and
   ///         no windows were kept
   Vec3 gradient_at(const SurfacePoint& point) const;
+  /// As gradient_at, of many points, as distances_at.
+  std::vector<Vec3> gradients_at(std::span<const SurfacePoint> points,
+                                 const BeforeSome& before_some = {}) const;
 
   /// Returns the path to a vertex, in time linear in the number of faces that it crosses. It is as
   /// long as the distance of the vertex; if the solver is not exact, it may be shorter.
@@ -70,12 +76,19 @@ class Paths {
   /// The index in the query of the source of the path to a point; kNone if it is unreachable.
   /// @throws std::invalid_argument if the point is not on this mesh
   Index nearest_source(const SurfacePoint& point) const;
+  /// As nearest_source, of many points, as distances_at.
+  std::vector<Index> nearest_sources_at(std::span<const SurfacePoint> points,
+                                        const BeforeSome& before_some = {}) const;
   /// The nearest source of every vertex, in linear time: the exact Voronoi cells of the sources.
   std::vector<Index> nearest_sources() const;
 
  private:
   // Vertices and half-edges have the mesh's internal numbers.
   InternalPoint checked(const SurfacePoint& point) const;
+  /// `answer(point)` for each point, as distances_at.
+  template <typename Answer>
+  auto for_each(std::span<const SurfacePoint> points, const BeforeSome& before_some,
+                Answer answer) const;
   /// Of a point of a face, whose windows were kept.
   AtTarget at(const InternalPoint& point) const;
   /// Source of the path to v; nullopt if the root of its last segment must be followed.
