@@ -11,7 +11,6 @@ import statistics
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from results import console
 
@@ -23,6 +22,7 @@ from gate.findings import REGRESSION, GateError, LevelResult, Weight
 from gate.measured import Measured, measured, programs
 from gate.program import Verified
 from gate.verdict import Verdict, as_text, judge, write
+from results import environment
 from results.pairs import interleaved
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import geometric_mean_of_ratios, rank_test
@@ -36,8 +36,8 @@ LEAST_REPETITIONS = 5
 """Least repetitions of either run for this level: 2 / C(10, 5) = 0.008."""
 LEAST_CELLS = 3
 """Least number of cells of a mean that may fail. Fewer cells say little about a solver."""
-ONE_PROGRAM = "both runs are of one program: where their times differ, the machine has drifted between them"
-SAME_BUILD = ("processor", "compiler", "compiler_flags", "build_type")
+ONE_PROGRAM = ("both runs are of one program: where their times differ, the machine or its"
+               " environment has changed between them")  # fmt: skip
 SEPARATE = (
     "times are of two separate runs and include a drift of the machine between them:"
     " run --program old=FILE --program new=FILE measures both programs in pairs"
@@ -52,16 +52,17 @@ def compare(base: Run, head: Run, chosen: Sequence[int], margin: float, strict: 
     for name, mesh in head.meshes.items():
         if name in base.meshes and base.meshes[name].sha256 != mesh.sha256:
             raise GateError(f"mesh {name} is another file in {head.file} than in {base.file}")
-    before, after = (Verified(run.ours, measured(run)) for run in (base, head))
+    before, after = (Verified(run, measured(run)) for run in (base, head))
     if not before.cells.keys() & after.cells.keys():
         raise GateError(f"nothing to compare: {base.file} and {head.file} have no cell in common")
-    builds = [[run.ours[key] for key in ("revision", *SAME_BUILD)] for run in (base, head)]
+    builds = [(run.ours["revision"], environment.of_build(run.ours)) for run in (base, head)]
     one_program = builds[0] == builds[1] and {False} == {run.ours["modified"] for run in (base, head)}
     found = _of_rows(before, after, chosen)
-    _note_differences(found[0], base.ours, head.ours)
     if 4 in chosen:
         found.append(separate_times(levels.common(before, after), margin, one_program))
-    return judge(str(base.file), str(head.file), found, strict)
+    return judge(
+        str(base.file), str(head.file), found, strict, environment.differences_of_runs(base, head)
+    )
 
 
 def compare_programs(run: Run, chosen: Sequence[int], margin: float, strict: bool) -> Verdict:
@@ -72,9 +73,8 @@ def compare_programs(run: Run, chosen: Sequence[int], margin: float, strict: boo
             f"{run.file}: a single run is compared when it was measured with two --program; it has"
             f" {', '.join(names) or 'no programs'}. Give two runs otherwise"
         )
-    base, head = (Verified(run.ours, measured(run, name)) for name in names)
+    base, head = (Verified(run, measured(run, name)) for name in names)
     found = _of_rows(base, head, chosen)
-    _note_differences(found[0], *run.ours["programs"])
     if 4 in chosen:
         pairs = {
             after.cell: paired
@@ -84,7 +84,8 @@ def compare_programs(run: Run, chosen: Sequence[int], margin: float, strict: boo
         timed = timing.Timing(margin, {}, everything=True, confirmed=1)
         timed.add(pairs)
         found.append(timing.report(timed, REPEAT))
-    return judge(names[0], names[1], found, strict)
+    builds = map(environment.of_build, run.ours["programs"])
+    return judge(names[0], names[1], found, strict, environment.differences(*builds))
 
 
 def _of_rows(base: Verified, head: Verified, chosen: Sequence[int]) -> list[LevelResult]:
@@ -101,12 +102,6 @@ def _of_rows(base: Verified, head: Verified, chosen: Sequence[int]) -> list[Leve
     if 3 in chosen:
         found.append(levels.memory(base, head))
     return found
-
-
-def _note_differences(result: LevelResult, base: dict[str, Any], head: dict[str, Any]) -> None:
-    for key in SAME_BUILD:
-        if key in base and key in head and base[key] != head[key]:
-            result.add(Weight.NOTE, f"the {key} differs: {base[key]} / {head[key]}")
 
 
 def separate_times(rows: Sequence[Both], margin: float, one_program: bool) -> LevelResult:

@@ -34,9 +34,14 @@ class NotCountableError(GateError):
 class Verified:
     """The results of a run that verifies and counts."""
 
-    context: dict[str, Any] = field(default_factory=dict)
-    """context.geodesic_bench of the result file."""
+    run: Run | None = None
+    """None where there was nothing to run."""
     cells: dict[Cell, Measured] = field(default_factory=dict)
+
+    @property
+    def context(self) -> dict[str, Any]:
+        """context.geodesic_bench of the result file; empty where there is none."""
+        return self.run.ours if self.run else {}
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,7 @@ class Program:
 
         @param chosen options of `run` that name the meshes and solvers"""
         run = self._run([*chosen, "--repetitions", "1", "--min-time", "0.000001"], out)
-        return Verified(run.ours, measured(run))
+        return Verified(run, measured(run))
 
     def measure_pairs(
         self, base: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int, out: Path

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from results import environment
 from results.names import unknown_name
 from results.pairs import Pairs
 from results.reader import Cell
@@ -73,6 +74,11 @@ def compare(base: Program, head: Program, tree: Path, options: Options) -> Verdi
             why = f"level {failed} has failed, so that the verdict is certain (--all measures on)"
             add(LevelResult(level, title, skipped=why))
 
+    environments: list[str] = []
+    if base_run.run and head_run.run:
+        environments = environment.differences_of_runs(base_run.run, head_run.run)
+    for line in environments:
+        say(line)
     add(levels.answers(base_run, head_run))  # always
     if 1 in options.levels:
         counters = baseline.read(tree)
@@ -83,7 +89,7 @@ def compare(base: Program, head: Program, tree: Path, options: Options) -> Verdi
     measure(2, levels.INSTRUCTIONS,
             lambda: levels.instructions(base, head, base_run, head_run, processes))  # fmt: skip
     measure(4, timing.TITLE, lambda: _time(base, head, tree, base_run, head_run, results, options))
-    return judge(base.label, head.label, results, options.strict)
+    return judge(base.label, head.label, results, options.strict, environments)
 
 
 def _time(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from itertools import groupby
 from pathlib import Path
 
@@ -35,6 +35,8 @@ class Verdict:
     head: str
     levels: list[LevelResult]
     exit_code: int
+    environments: list[str] = field(default_factory=list)
+    """The differences of the environments of both sides, or one line that they agree."""
 
     @property
     def findings(self) -> list[Finding]:
@@ -57,7 +59,9 @@ class Verdict:
         return f"{self.word}: {self.head} against {self.base}"
 
 
-def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> Verdict:
+def judge(
+    base: str, head: str, levels: Sequence[LevelResult], strict: bool, environments: Sequence[str] = ()
+) -> Verdict:
     """@raises GateError when no row was compared"""
     findings = [finding for level in levels for finding in level.findings]
     failures = {finding.exit_code for finding in findings if finding.weight == Weight.FAILURE}
@@ -68,7 +72,7 @@ def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> 
     code = next((code for code in WORST_FIRST if code in failures), GOOD)
     if code == GOOD and unresolved and strict:
         code = NOT_RESOLVED
-    return Verdict(base, head, sorted(levels, key=lambda level: level.level), code)
+    return Verdict(base, head, sorted(levels, key=lambda level: level.level), code, list(environments))
 
 
 def of_level(level: LevelResult) -> list[str]:
@@ -78,12 +82,16 @@ def of_level(level: LevelResult) -> list[str]:
 
 
 def as_text(verdict: Verdict) -> str:
-    lines = [verdict.headline, *(f"  {line}" for line in _lines(verdict.findings))]
+    lines = [verdict.headline, *(f"  {line}" for line in _below(verdict))]
     return text_page(lines, map(_table, verdict.levels))
 
 
 def as_markdown(verdict: Verdict) -> str:
-    return markdown_page(verdict.headline, _lines(verdict.findings), map(_table, verdict.levels))
+    return markdown_page(verdict.headline, _below(verdict), map(_table, verdict.levels))
+
+
+def _below(verdict: Verdict) -> list[str]:
+    return [*_lines(verdict.findings), *verdict.environments]
 
 
 def _lines(findings: Sequence[Finding]) -> list[str]:
@@ -119,6 +127,7 @@ def as_json(verdict: Verdict) -> str:
         "exit_code": verdict.exit_code,
         "base": verdict.base,
         "head": verdict.head,
+        "environments": verdict.environments,
         "levels": [asdict(level) for level in verdict.levels],
     }
     return json.dumps(data, indent=1) + "\n"

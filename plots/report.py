@@ -18,7 +18,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from plots import headline
 from plots.catalogue import base_name, draw_files
-from results import outcomes
+from results import environment, outcomes
 from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table, mark
 
@@ -126,6 +126,16 @@ def _processors(run: Run) -> str:
     return "; ".join(f"{name} ({count} rows)" for name, count in counts.items())
 
 
+def _environment(run: Run) -> dict[str, str]:
+    found = environment.of_machine(run.environments)
+    load = environment.load(run)
+    if load is not None:
+        found["load at the start"] = f"{load:.1f}"
+    if differences := environment.within(run):
+        found["environments of its parts"] = "; ".join(differences)
+    return {words.capitalize(): text for words, text in found.items()}
+
+
 def _machine(run: Run) -> dict[str, object]:
     ours = run.ours
     modified = {True: ", modified", False: "", None: ", perhaps modified"}[ours["modified"]]
@@ -140,6 +150,7 @@ def _machine(run: Run) -> dict[str, object]:
         "Started": ours["started"],
         "Finished": ours["finished"],
         "Processor": _processors(run),
+        **_environment(run),
         "Compiler": f"{ours['compiler']} {ours['compiler_flags']}",
         "Build type": ours["build_type"],
         "Google Benchmark": library,

@@ -26,6 +26,7 @@ if __name__ == "__main__":
 
 import numpy as np
 
+from results import environment
 from results.checksum import computed, of_file
 from results.columns import Columns
 from results.reader import ResultError, Run, Source, read_file
@@ -256,6 +257,8 @@ def context_of(parts: Sequence[Part], out: Path) -> dict[str, Any]:
         ours.pop("memory_limit", None)  # each part has its own
     if sets := source_sets(parts):
         ours["source_sets"] = sets
+    if found := [one for part in parts for one in part.run.environments]:
+        ours["environments"] = environment.distinct(found)
     changes = [f"shard {part.index}: {change}" for part in parts
                for change in part.run.ours.get("changes", [])]  # fmt: skip
     if changes:

@@ -220,6 +220,13 @@ class Run:
         found: dict[str, Any] = self.context["geodesic_bench"]
         return found
 
+    @property
+    def environments(self) -> list[dict[str, Any]]:
+        """What else times depend on (results/README.md), of each start of the run that had another one.
+        Empty where the file is older."""
+        found: list[dict[str, Any]] = self.ours.get("environments", [])
+        return found
+
     @cached_property
     def processors(self) -> list[str]:
         """The processors that measured the rows, in the order of the rows."""

@@ -1,5 +1,5 @@
 # Script of every build: writes OUTPUT from TEMPLATE, but only if its text changes.
-# Input: SOURCE_FOLDER, TEMPLATE, OUTPUT; VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE, INSTALLED_DATA are copied.
+# Input: SOURCE_FOLDER, TEMPLATE, OUTPUT; VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE, LIBRARIES, INSTALLED_DATA are copied.
 set(REVISION "unknown")
 set(MODIFIED "std::nullopt")
 

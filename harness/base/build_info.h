@@ -14,6 +14,7 @@ struct BuildInfo {
   std::string compiler;          ///< "GNU 12.2.0"
   std::string compiler_flags;
   std::string build_type;
+  std::string libraries;       ///< "benchmark 1.7.1, CGAL 5.5.1"
   std::string source_folder;   ///< the checkout that was built
   std::string installed_data;  ///< relative to the folder of the installed program
 };

@@ -1,12 +1,12 @@
 #include "harness/results/context.h"
 
 #include <ctime>
-#include <fstream>
 
 #include "harness/base/build_info.h"
 #include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/corpus/solvers.h"
+#include "harness/results/environment.h"
 #include "meshes/summary.h"
 
 namespace geodesic::harness {
@@ -96,17 +96,6 @@ std::string utc_now() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
-}
-
-std::string processor() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
-  }
-  return "unknown";
 }
 
 Json program_context() {

@@ -20,9 +20,6 @@ Json describe(const Description& solver);
 /// The present time, ISO 8601 in UTC: "2026-01-31T12:00:00Z".
 std::string utc_now();
 
-/// The processor's name from /proc/cpuinfo, "unknown" elsewhere.
-std::string processor();
-
 /// Name, hash, size and topology of a mesh, with the keys of context.geodesic_bench.meshes.
 Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh);
 

@@ -320,6 +320,7 @@ Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh*
   const Suite& suite = request.suite;
   Json json = program_context();
   json["started"] = utc_now();
+  json["environments"] = request.environments;
   json["corpus"] = suite.corpus;
   json["seed"] = suite.seed;
   json["repetitions"] = suite.repetitions;

@@ -60,6 +60,7 @@ struct RunRequest {
   // Of a run that has started, resumed or not (identify, resume.h).
   Json identity = {};                     ///< all that affects the results, at the last start
   std::string started = {};               ///< in the format of utc_now
+  std::vector<Json> environments = {};    ///< of each start that had another one (environment.h)
   std::vector<std::string> changes = {};  ///< accepted since then
 };
 

@@ -12,13 +12,14 @@
 #include "harness/base/plugins.h"
 #include "harness/external/external_program.h"
 #include "harness/results/context.h"
+#include "harness/results/environment.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 4;  // of request.json
+constexpr int kVersion = 5;  // of request.json
 constexpr const char* kFile = "request.json";
 
 // Includes hashes of the binaries, because a revision does not cover later changes. Excludes the
@@ -118,11 +119,15 @@ std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
 void identify(RunRequest& request, const Plan& plan) {
   request.identity = identity(request, plan);
   request.started = utc_now();
+  const Json here = environment();
+  request.environments = {here};
   if (!request.resume) return;
   const RunRequest before = saved_request(*request.resume);
   request.started = before.started;
   request.changes = before.changes;
   request.command = before.command;
+  request.environments = before.environments;
+  if (!are_alike(before.environments.back(), here)) request.environments.push_back(here);
   const std::vector<std::string> changes = differences(before.identity, request.identity);
   if (!changes.empty() && !request.accept_changes) {
     throw HarnessError("cannot resume the run in '" + request.resume->string() +
@@ -166,6 +171,7 @@ void save_request(const RunRequest& request, const fs::path& folder) {
                               {"command", request.command},
                               {"started", request.started},
                               {"changes", request.changes},
+                              {"environments", request.environments},
                               {"identity", request.identity}});
 }
 
@@ -182,6 +188,7 @@ RunRequest saved_request(const fs::path& folder) {
     request.identity = json.at("identity");
     json.at("started").get_to(request.started);
     json.at("changes").get_to(request.changes);
+    json.at("environments").get_to(request.environments);
     json.at("command").get_to(request.command);
     request.resume = folder;
     return request;

@@ -9,7 +9,7 @@
 #include <span>
 #include <tuple>
 
-#include "harness/base/available_memory.h"
+#include "harness/base/control_groups.h"
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/interruption.h"
@@ -17,6 +17,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/measure/benchmark.h"
 #include "harness/results/context.h"
+#include "harness/results/environment.h"
 #include "harness/run/folder.h"
 #include "harness/run/isolated.h"
 #include "harness/run/programs.h"

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "harness/base/available_memory.h"
+#include "harness/base/control_groups.h"
 #include "harness/base/error.h"
 #include "harness/base/interruption.h"
 #include "harness/base/process.h"

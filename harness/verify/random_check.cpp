@@ -5,7 +5,7 @@
 #include <mutex>
 #include <set>
 
-#include "harness/base/available_memory.h"
+#include "harness/base/control_groups.h"
 #include "harness/base/status_line.h"
 #include "harness/corpus/solvers.h"
 #include "meshes/threads.h"

@@ -67,6 +67,7 @@ def test_the_lines_of_a_level_appear_before_the_next_level_is_measured(
     said = [line.partition(":")[0] for line in capsys.readouterr().err.splitlines()]
     assert said == [
         "levels 0, 1 and 3",
+        "the environments agree",
         "Level 0. Distances against the oracles",
         "Level 1. The algorithms' counters against the committed baseline",
         "Level 3. Solver's peak memory",
@@ -92,8 +93,9 @@ def test_no_answer_where_the_base_has_one_is_a_failure(
 
 def test_what_is_said_of_several_rows_is_said_once_with_the_rows(world: World) -> None:
     text = as_text(world.gate(fact("mmp", "outcome", "crashed")))
-    assert text.splitlines()[1:3] == [
+    assert text.splitlines()[1:4] == [
         "  level 0 FAILED: mmp/cube/src:0; mmp/hill/src:0: crashed: vertex 7 is off (the base solves it)",
+        "  the environments agree: processor, compiler, compiler flags, threads",
         "",
     ]
     many = LevelResult(1, "t", compared=9)

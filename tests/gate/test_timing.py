@@ -282,7 +282,7 @@ def test_a_program_that_fails_when_it_is_timed_is_an_error(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("gate.revisions.verify", lambda program, options: Verified(
-        {}, {A: Measured(A, [of(A, 20)])}))  # fmt: skip
+        None, {A: Measured(A, [of(A, 20)])}))  # fmt: skip
     with pytest.raises(GateError, match="mmp/cube/src:0: the head failed when timed: crashed"):
         world.gate(fact("mmp", "outcome", "crashed"), levels=(4,))
 

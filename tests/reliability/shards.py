@@ -57,6 +57,7 @@ def differences(whole: Path, merged: Path) -> list[str]:
         for a, b in zip(without_times(first), without_times(second), strict=True)
         if a != b
     ]
-    of_run = {"started", "finished", "checksum", "command", "parts", "memory_limit", "processor"}
+    of_run = {"started", "finished", "checksum", "command", "parts", "memory_limit", "processor",
+              "environments"}  # fmt: skip
     keys = (first.ours.keys() | second.ours.keys()) - of_run
     return found + [key for key in keys if first.ours.get(key) != second.ours.get(key)]

@@ -135,6 +135,23 @@ def test_another_option_mesh_or_program_is_refused_unless_told_otherwise(
     assert any(words in each for each in context["changes"])
 
 
+def test_a_run_that_goes_on_in_another_environment_says_both(world: World) -> None:
+    """A test can change the cores that a process may use."""
+    world.unfinished()
+    cores = sorted(os.sched_getaffinity(0))
+    if len(cores) == 1:
+        pytest.skip("a single core: there is no other environment")
+    os.sched_setaffinity(0, cores[:1])
+    try:
+        resumed = world.resume()
+    finally:
+        os.sched_setaffinity(0, cores)
+    assert resumed.returncode == 0, resumed.stderr
+    before, after = json.loads((world.out / "run.json").read_text())["context"]["geodesic_bench"]["environments"]
+    assert before["cores"] != after["cores"] == str(cores[0])
+    assert before["libraries"] == after["libraries"] and "glibc" in before["libraries"]
+
+
 def test_a_folder_without_a_run_is_refused(world: World) -> None:
     for folder in (world.folder, world.folder / "nowhere"):
         ended = subprocess.run(

@@ -42,6 +42,7 @@ def test_merged_shards_are_the_run_in_one_piece(
     assert (merged / "rows.npz").exists() == (most == "3")
     assert differences(three / "whole", merged) == []
     assert [part["shard"] for part in read_run(merged).ours["parts"]] == [1, 2, 3]
+    assert len(read_run(merged).environments) == 1, "all shards were measured here"
     recordings = [sorted(str(file.relative_to(of)) for file in of.rglob("*.npy"))
                   for of in (three / "whole" / "recordings", merged / "recordings")]  # fmt: skip
     assert recordings[0] and recordings[0] == recordings[1]
@@ -150,7 +151,7 @@ def on_another_processor(cell: Path) -> None:
     stated = checksum.stated(text)
     assert stated is not None and stated == checksum.computed(text)
     text, places = re.subn(r'("processor":\s*)"[^"]*"', r'\1"Abacus"', text)
-    assert places == 1
+    assert places == 2, "of the row and of the environment"
     cell.write_text(text.replace(stated, checksum.computed(text)))
 
 

@@ -1,4 +1,4 @@
-#include "harness/base/available_memory.h"
+#include "harness/base/control_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,11 @@ class ControlGroups : public TemporaryFolder {
   std::uint64_t left(const std::string& groups) const {
     std::istringstream text(groups);
     return left_in_control_groups(text, folder_);
+  }
+
+  std::optional<double> processors(const std::string& groups) const {
+    std::istringstream text(groups);
+    return processors_in_control_groups(text, folder_);
   }
 
   static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
@@ -57,6 +62,22 @@ TEST_F(ControlGroups, WithoutALimitNothingIsLimited) {
   set_second("job", "max", "5");
   EXPECT_EQ(left("0::/job\n0::/gone\nnonsense\n"), kUnlimited);
   EXPECT_EQ(left(""), kUnlimited);
+}
+
+TEST_F(ControlGroups, TheLeastShareOfProcessorsOfAGroupAndThoseAboveCounts) {
+  set("job", "cpu.max", "200000 100000", "cpu.weight", "100");
+  set("job/step", "cpu.max", "max 100000", "cpu.weight", "100");
+  EXPECT_EQ(processors("0::/job/step\n"), 2.0);
+  set("job/step", "cpu.max", "50000 100000", "cpu.weight", "100");
+  EXPECT_EQ(processors("0::/job/step\n"), 0.5);
+}
+
+TEST_F(ControlGroups, OfTheFirstVersionTheShareOfProcessorsIsInTwoFiles) {
+  set("cpu/job", "cpu.cfs_quota_us", "150000", "cpu.cfs_period_us", "100000");
+  EXPECT_EQ(processors("4:cpu,cpuacct:/job\n"), 1.5);
+  set("cpu/job", "cpu.cfs_quota_us", "-1", "cpu.cfs_period_us", "100000");
+  EXPECT_EQ(processors("4:cpu,cpuacct:/job\n"), std::nullopt);
+  EXPECT_EQ(processors(""), std::nullopt);
 }
 
 }  // namespace
