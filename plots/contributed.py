@@ -17,7 +17,7 @@ if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
 from plots import (
-    break_even, catalogue, further_sources, headline, many_sources, path_costs, peers_overview, robustness, style,
+    break_even, catalogue, frontier, further_sources, headline, many_sources, path_costs, peers_overview, robustness, style,
     summary, twins,
 )  # fmt: skip
 from plots.drawing import Drawing
@@ -31,7 +31,8 @@ from results.table import BLANK, Field, Table, estimate_field, to_markdown
 
 FOLDER = ROOT / "results" / "contributed"
 PAGE, README, PEERS = ROOT / "docs" / "results.md", ROOT / "README.md", ROOT / "docs" / "peers.md"
-RESULTS = {README: "docs/results.md", PEERS: "results.md"}
+APPROXIMATE = ROOT / "docs" / "approximate.md"
+RESULTS = {README: "docs/results.md", PEERS: "results.md", APPROXIMATE: "results.md"}
 """Link to the page of all results, by the page that contains the link."""
 STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
 SETS, PATHS, ALL_PAIRS = "source-sets", "paths", "all-pairs"
@@ -105,12 +106,35 @@ def _error(largest: float) -> str:
     return percent(largest) if largest >= PERCENT else ERROR.show(largest)
 
 
+def inexact_solvers(run: Run) -> Table:
+    """Returns the table of docs/approximate.md: times over those of edge-based, and errors, over all meshes."""
+    points = frontier.over_meshes(run, list(run.meshes.values()), BASE)
+    return Table(
+        name="inexact_solvers", title="", text_columns=2,
+        header=["Solver", "Promise", "First answer", "Each further", "Largest error", "Mean error"],
+        rows=[[Field(point.solver.name), Field(point.solver.promise),
+               Field(number(point.costs["1 source"].value)),
+               Field(interval(point.costs["each further source"], number)),
+               *(Field(percent(error) if error else "0") for error in (point.largest, point.mean))]
+              for point in sorted(points, key=lambda point: point.costs["each further source"].value)],
+    )  # fmt: skip
+
+
+def prepared_solvers(run: Run) -> Table:
+    """Returns the table of docs/approximate.md: straight-graph on every mesh, the other solvers on the horse."""
+    whole = further_sources.table(run)
+    rows = [row for row in whole.rows if row[0].text == "horse" or row[1].text == "straight-graph"]
+    return replace(whole, name="prepared_solvers", rows=rows, remarks=[])
+
+
 def tables(runs: Mapping[str, Run]) -> dict[Path, list[tuple[Table, Run]]]:
     """Returns, by page, the tables between the marks of that page, each with its run."""
     standard, sets = runs[STANDARD], runs[SETS]
     return {
         README: [(beside_public_codes(standard, runs[ROBUSTNESS]), standard)],
         PEERS: [(twins.overall(standard), standard), (many_sources.errors(sets), sets)],
+        APPROXIMATE: [(inexact_solvers(runs[FRONTIER]), runs[FRONTIER]),
+                      (prepared_solvers(runs[ALL_PAIRS]), runs[ALL_PAIRS])],
     }
 
 
