@@ -99,6 +99,7 @@ def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
         isinstance(value, Place) or _names_a_face(value) for value in values
     ):
         return _joined([surface_point(value, what, vertices, faces) for value in values])
+    _refuse_wrong_faces_and_weights(values, what)
     array = _array(values, f"{what}s", "vertices, tuples (face, weights) and Place(x, y, z)")
     if _are_places(array):
         none = np.full(len(array), NONE)
@@ -137,6 +138,8 @@ def point_sets(values: Any, what: str, vertices: int, faces: int) -> PointSets:
             f"{what}s of shape {values.shape} may be sets of vertices or coordinates:"
             " write .tolist() for sets, or .astype(float) for places"
         )
+    if isinstance(values, tuple) and not _names_faces(values):  # sets of places are in a list
+        _refuse_wrong_faces_and_weights(values, what)
     if not _has_sets(values):
         points = surface_points(values, what, vertices, faces)
         return PointSets(points, np.arange(len(points.vertices) + 1))
@@ -154,7 +157,7 @@ def _has_sets(values: Any) -> bool:
     if _names_a_face(values) or _names_faces(values):
         return False
     others = [value for value in values if not (isinstance(value, Place) or _names_a_face(value))]
-    if not any(_is_iterable(value) and getattr(value, "shape", None) != () for value in others):
+    if not any(_is_iterable(value) and not _has_no_dimension(value) for value in others):
         return False
     try:
         return len(others) < len(values) or not _are_places(np.asarray(values))
@@ -164,6 +167,11 @@ def _has_sets(values: Any) -> bool:
 
 def _is_iterable(value: object) -> bool:
     return isinstance(value, Iterable) and not isinstance(value, str | bytes)
+
+
+def _has_no_dimension(value: object) -> bool:
+    """Whether the value is an array of one item, or an item of an array."""
+    return getattr(value, "shape", None) == ()
 
 
 def _are_places(array: NDArray[Any]) -> bool:
@@ -188,23 +196,44 @@ def _names_a_face(point: object) -> bool:
     return (
         isinstance(point, tuple)
         and len(point) == 2
-        and not isinstance(point[0], _LISTED)
+        and (not isinstance(point[0], _LISTED) or _has_no_dimension(point[0]))
         and isinstance(point[1], _LISTED)
+        and not _has_no_dimension(point[1])
         and not isinstance(point[1], Place)
         and not _names_a_face(point[1])
     )
 
 
 def _names_faces(points: object) -> bool:
-    """Whether the points have the form of two arrays, of k faces and of their weights."""
-    return (
-        isinstance(points, tuple)
-        and len(points) == 2
-        and all(isinstance(array, np.ndarray) for array in points)
-        and points[0].ndim == 1
-        and points[0].dtype.kind in "iu"
-        and points[1].shape == (len(points[0]), 3)
-    )
+    """Whether the points have the form of two arrays, of k faces and of their weights. Columns of pandas and lists
+    are arrays here."""
+    if not isinstance(points, tuple) or (arrays := _two_arrays(points)) is None:
+        return False
+    faces, weights = arrays
+    return faces.ndim == 1 and faces.dtype.kind in "iu" and weights.shape == (len(faces), 3)
+
+
+def _refuse_wrong_faces_and_weights(points: object, what: str) -> None:
+    """Raises an error for two arrays of which one has rows: these are neither vertices nor places."""
+    if (arrays := _two_arrays(points)) is not None and max(array.ndim for array in arrays) == 2:
+        first, second = (f"{array.dtype} of shape {array.shape}" for array in arrays)
+        raise ValueError(
+            f"many {what}s in faces are a tuple (faces, weights), of integers of shape (k,) and numbers of shape"
+            f" (k, 3), not a {type(points).__name__} of {first} and {second}"
+        )
+
+
+def _two_arrays(points: object) -> list[NDArray[Any]] | None:
+    """Converts a tuple or list of two arrays, lists or columns of pandas, with at least one dimension."""
+    if not isinstance(points, tuple | list) or len(points) != 2:
+        return None
+    if not all(isinstance(each, list | np.ndarray) or hasattr(each, "__array__") for each in points):
+        return None
+    try:
+        arrays = [_of_numbers(np.asarray(each)) for each in points]
+    except (ValueError, TypeError, RuntimeError):  # of different lengths, or memory of another device
+        return None
+    return arrays if all(array.ndim for array in arrays) else None
 
 
 def _faces_and_weights(
@@ -285,15 +314,20 @@ def _integers(values: ArrayLike, what: str, of_floats: str = "", of_booleans: st
 
 
 def _kind_of(array: NDArray[Any]) -> str:
-    """Returns what the items are, in the words of Python where NumPy's would be codes: "text", not "<U7"."""
+    """Returns what the items are, in the words of Python where NumPy's would be codes: "text", not "<U7"; and how to
+    join those that are arrays."""
     if array.dtype.kind in "US":
         return "text"
+    if array.dtype.names:
+        columns = ", ".join(f"a[{name!r}]" for name in array.dtype.names[:3])
+        return f"records: write np.stack([{columns}], axis=1)"
     if array.dtype != object:
         return str(array.dtype)
     kinds = [type(value).__name__ for value in array.flat if type(value) is not int]
     if not kinds:
         return "integers of Python"
-    return "None" if kinds[0] == "NoneType" else f"objects of type {kinds[0]}"
+    join = ": join them with np.stack" if {"ndarray", "list"}.issuperset(kinds) else ""
+    return "None" if kinds[0] == "NoneType" else f"objects of type {kinds[0]}{join}"
 
 
 def _array(values: Any, what: str, kind: str) -> NDArray[Any]:
@@ -305,7 +339,20 @@ def _array(values: Any, what: str, kind: str) -> NDArray[Any]:
         raise ValueError(f"{what} must be an array of {kind}{_remedy(values)}") from None
     if array.ndim == 0 and array.dtype == object and (remedy := _remedy(values)):
         raise ValueError(f"{what} must be an array of {kind}{remedy}")
-    return array
+    return _of_numbers(array)
+
+
+def _of_numbers(array: NDArray[Any]) -> NDArray[Any]:
+    """Returns an array of objects that are all numbers, or all booleans, with their type: the nullable columns of
+    pandas become arrays of objects. Integers of Python remain if they are too large for a type of integers."""
+    if array.dtype != object or not array.size:
+        return array
+    kinds = {type(value) for value in array.flat}
+    if not kinds <= {bool, np.bool_}:
+        if bool in kinds or not all(issubclass(kind, int | float | np.integer | np.floating) for kind in kinds):
+            return array
+    typed = np.array(array.tolist())
+    return array if kinds == {int} and typed.dtype.kind not in "iu" else typed
 
 
 def _remedy(values: Any) -> str:

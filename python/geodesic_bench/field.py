@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import surface_point
+from geodesic_bench.immutable import Immutable
 from geodesic_bench.lines import Isoline, LogMap, Path
 
 if TYPE_CHECKING:
     from geodesic_bench.mesh import Mesh, SurfacePoint, SurfacePoints
 
 
-class Field:
+class Field(Immutable):
     """The distances from the nearest of some sources, and the paths from it, from `Mesh.solve`. It is immutable,
     and any number of threads may use it. It keeps its mesh, and 32 bytes a vertex, with `anywhere=True` about
     2,000; no solver.

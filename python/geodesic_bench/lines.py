@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path as FilePath
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from geodesic_bench import _native
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Polyline:
     """A line over the surface that is straight in each face. Path describes its attributes."""
 
@@ -27,8 +27,14 @@ class Polyline:
         """Length, in the unit of the coordinates."""
         return float(self.travelled[-1])
 
+    def __repr__(self) -> str:
+        """Without the arrays, which may fill pages: Path(3 points, length=1.41421, source=0)."""
+        others = [field.name for field in fields(self)[len(fields(Polyline)) :]]
+        shown = "".join(f", {name}={getattr(self, name)!r}" for name in others)
+        return f"{type(self).__name__}({len(self.points)} points, length={self.length:.6g}{shown})"
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Path(Polyline):
     """A shortest path, from its source to its target, straight in each face.
 
@@ -49,7 +55,7 @@ class Path(Polyline):
     source: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StraightestLine(Polyline):
     """A line that goes straight on over the surface, from `Mesh.trace`.
 
@@ -64,7 +70,7 @@ class StraightestLine(Polyline):
     ends_at_boundary: bool
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Isoline(Polyline):
     """A line on which the distance, interpolated linearly along the edges, is the level.
 

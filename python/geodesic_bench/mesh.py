@@ -36,6 +36,7 @@ from geodesic_bench.arrays import (
 )
 from geodesic_bench.errors import UnknownArgument
 from geodesic_bench.field import Field
+from geodesic_bench.immutable import Immutable
 from geodesic_bench.lines import Isoline, LogMap, Path, StraightestLine
 from geodesic_bench.matrix_file import MatrixFile
 from geodesic_bench.other_packages import arrays_of, read_by_other_package
@@ -73,12 +74,12 @@ SurfacePoint = ArrayLike | tuple[int, ArrayLike] | Place
 """A vertex, which is an integer; a point in a face, which is a tuple of the face and a weight for each of its
 corners; or a Place. The weights are divided by their sum; on an edge one of them is 0."""
 
-SurfacePoints = SurfacePoint | Sequence[SurfacePoint] | tuple[NDArray[Any], NDArray[Any]]
+SurfacePoints = SurfacePoint | Sequence[SurfacePoint] | tuple[ArrayLike, ArrayLike]
 """One point; an array of vertices, integers of shape (k,); one of places, floats of shape (k, 3); a tuple of
 arrays for points in faces, integers of shape (k,) and weights of shape (k, 3); or a list of any points."""
 
 
-class Mesh:
+class Mesh(Immutable):
     """A triangle mesh for queries of distances and paths. It is immutable, and any number of threads may
     use it.
 
@@ -100,7 +101,8 @@ class Mesh:
     weld : bool or number
         Join the vertices at the same place, or within this distance of each other, so that paths cross
         seams. All keep their numbers, and each has the distance of the one of least number that it is
-        joined to, which `faces` names then. A face that collapses stays in `faces`; it contains no points.
+        joined to, which `faces` names then. A face that collapses stays in `faces`; it contains no points. Vertices
+        without a face are not joined: a joined mesh is passed on as it is, not as its two arrays.
     avoid : integers or (n,) booleans
         Vertices that paths may not enter: all their faces are left out, after the weld. Distances are those
         of the mesh without these faces, and inf at a vertex without another face. All numbers stay, and
@@ -230,8 +232,8 @@ class Mesh:
         ----------
         sources : (k,) integers, or k points, or one
             Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face 7,
-            `Place(0.1, 0.2, 0)` is the point of the surface that is nearest to this place. Two arrays
-            `(faces, weights)` of shapes (k,) and (k, 3) are k points in faces. Floats of
+            `Place(0.1, 0.2, 0)` is the point of the surface that is nearest to this place. A tuple
+            `(faces, weights)` of arrays of shapes (k,) and (k, 3) are k points in faces. Floats of
             shape (k, 3) are k places; one warning is given if any is far from the surface. All solvers
             accept all points. For a solver that supports only vertices, each call makes a finer mesh in which
             the points are vertices.

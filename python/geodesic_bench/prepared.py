@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from geodesic_bench import _native
+from geodesic_bench.immutable import Immutable
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,7 +32,7 @@ class Certificate:
     largest_error: float
 
 
-class Prepared:
+class Prepared(Immutable):
     """A solver that is prepared for a mesh, from `Mesh.prepare` or `Mesh.load_prepared`. Its queries are those of
     Mesh, without the arguments of the solver. Any number of threads may use it; they share the preparation. It can
     be pickled, together with its mesh.
@@ -114,6 +115,12 @@ class Prepared:
     def paths(self, source: SurfacePoints, targets: SurfacePoints) -> list[PathOnMesh | None]:
         """As `Mesh.paths`."""
         return self.mesh.paths(source, targets, solver=self)
+
+    def path_through(
+        self, points: SurfacePoints, *, closed: bool = False, straighten: bool = False
+    ) -> PathOnMesh:
+        """As `Mesh.path_through`."""
+        return self.mesh.path_through(points, closed=closed, straighten=straighten, solver=self)
 
     def pair_distances(self, a: SurfacePoints, b: SurfacePoints, *, threads: int = 0) -> NDArray[np.float64]:
         """As `Mesh.pair_distances`."""

@@ -738,9 +738,18 @@ PYBIND11_MODULE(_native, module) {
                     "Number of faces, edges, vertices or components with this defect.")
       .def_readonly("first", &Defect::example, "The first of these elements.")
       .def("__str__", &Defect::text)
-      .def("__repr__", [](const Defect& d) {
-        return "<" + std::string(severity_of(d)) + ": " + d.text() + ">";
-      });
+      .def(
+          "__repr__",
+          [](const Defect& d) { return "<" + std::string(severity_of(d)) + ": " + d.text() + ">"; })
+      .def(py::pickle(
+          [](const Defect& d) {
+            return py::make_tuple(static_cast<int>(d.kind), d.count, d.example);
+          },
+          [](const py::tuple& kept) {
+            return Defect{.kind = static_cast<DefectKind>(kept[0].cast<int>()),
+                          .count = kept[1].cast<std::size_t>(),
+                          .example = kept[2].cast<std::string>()};
+          }));
 
   py::class_<Description>(module, "Solver", "A solver and its origin, from `solvers`.")
       .def_readonly("name", &Description::name, "Its name, for the argument `solver`.")
@@ -755,7 +764,10 @@ PYBIND11_MODULE(_native, module) {
       .def_property_readonly(
           "prepares", [](const Description& d) { return d.abilities.saves; },
           "Whether `Mesh.prepare` accepts it.")
-      .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; });
+      .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; })
+      .def(py::pickle(
+          [](const Description& d) { return py::make_tuple(d.name); },
+          [](const py::tuple& kept) { return solver_named(kept[0].cast<std::string>()); }));
 
   module.def("mesh", &mesh);
   module.def("read", &read);

@@ -31,6 +31,7 @@ def cut_mesh(**avoid: Any) -> Any:
     [
         {"avoid": WALL},
         {"avoid": np.isin(np.arange(144), WALL)},
+        {"avoid": np.isin(np.arange(144), WALL).astype(object)},  # as from a nullable column of pandas
         {"avoid_faces": CUT},
         {"avoid_faces": CUT.tolist()},
         {"avoid_faces": np.flatnonzero(CUT).astype(np.int16)},

@@ -181,7 +181,7 @@ def test_arrays_of_any_type_order_and_flag_give_the_same_bits_and_are_not_writte
     chance = random.Random(22)
     vertices, faces = np.round(ground[0] * 8), ground[1]
     expected = gb.Mesh(vertices, faces).distance_matrix([0, 60, 99])
-    real = ["f8", "f4", ">f8", "f2", "i4", ">i2", "u1", "longdouble"]
+    real = ["f8", "f4", ">f8", "f2", "i4", ">i2", "u1", "longdouble", "O"]
     whole = ["i8", "u8", "i4", ">u4", "i2", "u1", "O"]
 
     forms: list[Callable[[Any], Any]] = [

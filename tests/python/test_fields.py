@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import pickle
 import threading
 from collections.abc import Callable
@@ -58,6 +59,16 @@ def test_a_field_of_windows_has_the_distances_of_targets_at_any_points(solver: s
         assert ratio >= 1 - 1e-12 or solver == "straight-graph"  # the path of an upper bound may be shorter
 
 
+class Column:
+    """As those of pandas."""
+
+    def __init__(self, array: Any) -> None:
+        self.array = array
+
+    def __array__(self, *_: object, **__: object) -> Any:
+        return self.array
+
+
 def test_two_arrays_name_the_same_points_as_a_list_of_tuples(mesh: Any) -> None:
     faces, weights = np.array([3, 7, 3]), np.array([[1, 1, 1], [0, 1, 3.0], [0.2, 0.3, 0.5]])
     field = mesh.solve(0, anywhere=True)
@@ -66,6 +77,10 @@ def test_two_arrays_name_the_same_points_as_a_list_of_tuples(mesh: Any) -> None:
     np.testing.assert_array_equal(mesh.distances((faces, weights)), mesh.distances(pairs))
     matrix = mesh.distance_matrix((faces, weights), [0])
     np.testing.assert_array_equal(matrix, mesh.distance_matrix(pairs, [0]))
+    as_lists, as_objects = (faces.tolist(), weights.tolist()), (faces.astype(object), weights.astype(object))
+    for others in (as_lists, as_objects, tuple(map(Column, (faces, weights))), tuple(map(Column, as_objects))):
+        np.testing.assert_array_equal(field.at(others), field.at(pairs))
+        np.testing.assert_array_equal(mesh.distance_matrix(others, [0]), matrix)
     with pytest.raises(ValueError, match=r"point face 999999 is not in the mesh"):
         field.at((np.array([3, 999999]), weights[:2]))
     with pytest.raises(ValueError, match=r"not \(-1\.0, 1\.0, 1\.0\)"):
@@ -164,3 +179,9 @@ def test_a_path_from_several_sources_is_from_the_nearest(mesh: Any) -> None:
 def test_a_field_that_is_to_be_pickled_says_what_can_be(mesh: Any) -> None:
     with pytest.raises(TypeError, match="^a field cannot be pickled: pickle its distances"):
         pickle.dumps(mesh.solve(0))
+
+
+def test_a_copy_of_what_does_not_change_is_itself(mesh: Any) -> None:
+    one = {"mesh": mesh, "field": mesh.solve(0), "prepared": mesh.prepare(threads=1)}
+    for name, copied in copy.deepcopy(one).items():
+        assert copied is one[name] and copy.copy(copied) is copied

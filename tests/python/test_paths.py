@@ -27,6 +27,13 @@ def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(mesh: Any) -> N
             np.testing.assert_allclose(off, 0, atol=1e-12)
 
 
+def test_a_line_is_shown_without_its_arrays(mesh: Any) -> None:
+    path = mesh.path(5, 77)
+    assert repr(path) == f"Path({len(path.points)} points, length={path.length:.6g}, source=0)"
+    line = mesh.isolines(mesh.distances(0), [3.0])[0]
+    assert repr(line) == f"Isoline({len(line.points)} points, length={line.length:.6g}, level=3.0, closed={line.closed})"
+
+
 def test_the_nearest_source_is_that_of_the_least_row(mesh: Any) -> None:
     sources, initial = [0, 100, 60], [0.5, 0, 1]
     distances, nearest = mesh.distances(sources, initial=initial, return_nearest=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import inspect
 import pickle
 import threading
 from collections.abc import Callable
@@ -65,6 +66,18 @@ def test_distances_of_a_preparation_are_never_too_short_and_as_long_as_certified
     assert mesh.prepare().certificate is None
     with pytest.raises(AttributeError):
         found.sources = 4
+
+
+def test_a_preparation_has_the_queries_of_a_mesh_that_take_a_solver(mesh: Any) -> None:
+    of_the_solver = {"solver", "parameters", "approximate", "anywhere", "threads", "region_size"}
+    for name, query in vars(gb.Mesh).items():
+        if not callable(query) or name.startswith(("_", "prepare")) or "solver" not in (options := inspect.signature(query).parameters):
+            continue
+        assert options.keys() - of_the_solver <= inspect.signature(getattr(gb.Prepared, name)).parameters.keys(), name
+    prepared = mesh.prepare(threads=1)
+    loop = prepared.path_through([3, 99, 50], closed=True)
+    steps = prepared.pair_distances([3, 99, 50], [99, 50, 3])
+    assert loop.length == pytest.approx(steps.sum(), rel=0.01) and (loop.points[0] == loop.points[-1]).all()
 
 
 @pytest.mark.parametrize(

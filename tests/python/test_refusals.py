@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import random
 import subprocess
 from collections.abc import Callable
@@ -16,6 +17,9 @@ gb = pytest.importorskip("geodesic_bench")
 
 CORNERS = np.eye(3)
 FACE = [[0, 1, 2]]
+RECORDS = np.zeros(3, [("x", "f4"), ("y", "f4"), ("z", "f4"), ("nx", "f4")])  # as from plyfile
+ROWS = np.empty(1, object)
+ROWS[0] = np.array(FACE[0])
 MASKED: Any = np.ma  # without types
 NOTHING = "a mesh needs at least one vertex and one face"
 MEANINGLESS = "the mesh: distances would be meaningless:"
@@ -31,6 +35,8 @@ MEANINGLESS = "the mesh: distances would be meaningless:"
         (np.ones((3, 5)), FACE, "vertices must have the shape (n, 3), not (3, 5): transpose them with .T"),
         ([[0, 1], [2]], FACE, "vertices must be an array of numbers"),
         ([["a", "b", "c"]], FACE, "vertices must be real numbers, not text"),
+        (RECORDS, FACE, "vertices must be real numbers, not records: write np.stack([a['x'], a['y'], a['z']], axis=1)"),
+        (CORNERS, ROWS, "faces must be integers, not objects of type ndarray: join them with np.stack"),
         (CORNERS * 1j, FACE, "vertices must be real numbers, not complex128"),
         (CORNERS * np.nan, FACE, f"{MEANINGLESS} 3 vertices with a coordinate that is not finite"),
         (CORNERS - [np.inf, 0, 0], FACE, f"{MEANINGLESS} 3 vertices with a coordinate that is not finite"),
@@ -275,6 +281,15 @@ def test_defects_are_named_and_counted() -> None:
     found = gb.defects(gb.Mesh(arrays[0], arrays[1][:2]))
     assert [(d.kind, d.severity, d.count) for d in found] == [("isolated_vertex", "warning", 1)]
     assert "vertex 4" in str(found[0])
+
+
+def test_defects_and_solvers_come_back_from_other_processes() -> None:
+    (defect,) = gb.defects(gb.Mesh([*CORNERS, [9, 9, 9]], FACE))
+    for one in (defect, gb.solvers()["straight-graph"]):
+        again = pickle.loads(pickle.dumps(one))
+        properties = [name for name in dir(one) if not name.startswith("_")]
+        assert [getattr(again, name) for name in properties] == [getattr(one, name) for name in properties]
+        assert (repr(again), str(again)) == (repr(one), str(one))
 
 
 def test_a_solver_says_what_it_does_not_support() -> None:

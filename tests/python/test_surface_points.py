@@ -21,7 +21,7 @@ POINTS: list[Any] = [
     (3, (0.2, 0.3, 0.5)),
     (200, (0.5, 0.5, 0.0)),
     (9, (0.0, 1.0, 0.0)),
-    (np.int64(17), np.array([0.25, 0.5, 0.25])),
+    (np.array(17), np.array([0.25, 0.5, 0.25])),
     (3, (0.2, 0.3, 0.5)),
 ]
 SOLVERS = ["edge-based", "mmp", "ch", "dijkstra"]
@@ -184,6 +184,28 @@ def test_a_place_far_from_the_surface_gives_one_warning_at_the_line_of_the_calle
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         mesh.distances([near, 3])
+
+
+@pytest.mark.parametrize(
+    ("points", "said"),
+    [
+        ([np.array([3, 7]), np.ones((2, 3))], "a list of int64 of shape (2,) and float64 of shape (2, 3)"),
+        ((np.array([3.0, 7]), np.ones((2, 3))), "a tuple of float64 of shape (2,) and float64 of shape (2, 3)"),
+        ((np.array([3, 7]), np.ones((2, 2))), "a tuple of int64 of shape (2,) and float64 of shape (2, 2)"),
+        (([3, 7, 8], np.ones((2, 3))), "a tuple of int64 of shape (3,) and float64 of shape (2, 3)"),
+        ((np.ones((2, 3)), np.array([3, 7])), "a tuple of float64 of shape (2, 3) and int64 of shape (2,)"),
+    ],
+)  # fmt: skip
+def test_arrays_that_are_no_faces_and_weights_are_refused_with_both_forms(
+    mesh: Any, points: Any, said: str
+) -> None:
+    form = "many sources in faces are a tuple (faces, weights), of integers of shape (k,) and numbers of shape (k, 3)"
+    with pytest.raises(ValueError) as refusal:
+        mesh.distances(points)
+    assert str(refusal.value) == f"{form}, not {said}"
+    if isinstance(points, tuple):  # a list of two arrays is two sets
+        with pytest.raises(ValueError, match=r"^many rows in faces are a tuple \(faces, weights\), of integers"):
+            mesh.distance_matrix(points)
 
 
 def test_several_points_are_refused_where_one_is_meant(mesh: Any) -> None:
