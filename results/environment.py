@@ -51,11 +51,14 @@ def load(run: Run) -> float | None:
     return max(loads, default=None)
 
 
-def differences(base: Facts, head: Facts) -> list[str]:
+def differences(
+    base: Facts, head: Facts, *, marks: tuple[str, str] = (" (base)", " (head)")
+) -> list[str]:
     """Returns the facts of either that differ, in words, and last, those that only one of them says. One
-    line if all agree."""
+    line if all agree. The marks follow the values of the two sides."""
+    of_base, of_head = marks
     both = [words for words in base if words in head]
-    found = [f"different {words}: {base[words]} / {head[words]}"
+    found = [f"different {words}: {base[words]}{of_base} / {head[words]}{of_head}"
              for words in both if base[words] != head[words]]  # fmt: skip
     alone = [words for words in {**base, **head} if words not in both]
     if alone:
@@ -89,7 +92,9 @@ def distinct(environments: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
 def within(run: Run) -> list[str]:
     """Returns the differences between the environments of one run, which was resumed or merged."""
     first, *others = map(_of_one, distinct(run.environments) or [{}])
-    return list(dict.fromkeys(line for other in others for line in differences(first, other)))
+    return list(
+        dict.fromkeys(line for other in others for line in differences(first, other, marks=("", "")))
+    )
 
 
 def _of_one(found: Mapping[str, Any]) -> Facts:

@@ -76,6 +76,7 @@ MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
   MeshEntry entry{.name = mesh["name"],
                   .file = cache / mesh["file"].get<std::string>(),
                   .kind = mesh["kind"],
+                  .sha256 = mesh["sha256"],
                   .vertices = mesh["vertices"],
                   .faces = mesh["faces"],
                   .stand_in = mesh.value("stand_in", false),
@@ -124,6 +125,8 @@ std::vector<fs::path> matches_of(const std::string& pattern) {
   globfree(&found);
   return files;
 }
+
+std::string fetch_script() { return (data_folder() / "datasets" / "fetch.py").string(); }
 
 }  // namespace
 
@@ -231,9 +234,17 @@ std::string how_to_get(std::span<const MeshEntry> meshes) {
   }
   return (one ? "mesh " : "meshes ") + quoted + (one ? " is" : " are") +
          " not in the dataset cache (" + meshes.front().file.parent_path().string() + "): run " +
-         (data_folder() / "datasets" / "fetch.py").string() + words;
+         fetch_script() + words;
 }
 
 std::string how_to_get(const MeshEntry& mesh) { return how_to_get({&mesh, 1}); }
+
+void check_sum(const MeshEntry& mesh, const std::string& sha256) {
+  const bool is_known = mesh.sha256.find_first_not_of('0') != std::string::npos;
+  if (!is_known || mesh.sha256 == sha256) return;
+  throw HarnessError("mesh '" + mesh.name + "': " + mesh.file.string() + " has SHA-256 " + sha256 +
+                     ", the manifest says " + mesh.sha256 + ": get its file with " +
+                     fetch_script() + " " + mesh.name + ", or measure this one by its path");
+}
 
 }  // namespace geodesic::harness

@@ -26,6 +26,7 @@ struct MeshEntry {
   std::string name;
   std::filesystem::path file;  ///< where it is, or would be, in the cache
   std::string kind;  ///< "generated", "downloaded", "package", or "file" when given by its path
+  std::string sha256 = {};  ///< from the manifest: of the file; zeros or empty: not known
   std::size_t vertices = 0, faces = 0;           ///< from the manifest; 0 for other files
   std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
   bool stand_in = false;                         ///< replaces that model, but is another mesh
@@ -94,5 +95,8 @@ MeshEntry find_mesh(const std::string& file_or_name, const std::filesystem::path
 /// One line: the meshes, at least one, are not in the cache, and how to get them.
 std::string how_to_get(std::span<const MeshEntry> meshes);
 std::string how_to_get(const MeshEntry& mesh);
+
+/// @param sha256 of the mesh's file @throws HarnessError when the manifest has another one
+void check_sum(const MeshEntry& mesh, const std::string& sha256);
 
 }  // namespace geodesic::harness

@@ -108,6 +108,7 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
                       .vertices = mesh.vertex_count(),
                       .facts = describe(entry, loaded.soup, mesh),
                       .run_sources = sources_of(entry, loaded.soup, suite)};
+  check_sum(entry, planned.facts.at("sha256"));
   planned.sources = planned.run_sources;
   if (suite.further_sources > 0) {
     planned.further_sources =

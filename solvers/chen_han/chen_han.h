@@ -3,13 +3,14 @@
 // A policy has
 //   Filter             which windows are dropped (filter.h)
 //   Queue              of windows, in the order of propagation (WindowQueue)
-//   make_queue(mesh)   an empty one
+//   make_queue(mesh)   an empty one; with (mesh, description), it reads parameters (queue_of.h)
 #pragma once
 
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/queues/bucket_queue.h"
 #include "solvers/core/queues/calendar_queue.h"
 #include "solvers/core/queues/fifo_queue.h"
+#include "solvers/core/queues/queue_of.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::chen_han {
@@ -36,25 +37,23 @@ template <class Policy>
 class ChenHan final : public Solver {
  public:
   ChenHan(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(mesh) {}
+      : Solver(mesh, description), propagation_(mesh, queue_of<Policy>(mesh, description)) {}
 
  private:
   /// A recorded solve; defined in recorded.h, like the next function.
-  static void solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
-                             Recording& recording);
+  void solve_recorded(const Start& start, std::span<double> distances, Recording& recording) const;
   /// A timed solve with windows that store the length of their strip.
-  static void solve_dropping_long_strips(const Mesh& mesh, const Start& start,
-                                         std::span<double> distances);
+  void solve_dropping_long_strips(const Start& start, std::span<double> distances) const;
 
   void run(const Start& start, std::span<double> distances) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
-      if (drops_long_strips) return solve_dropping_long_strips(mesh(), start, distances);
+      if (drops_long_strips) return solve_dropping_long_strips(start, distances);
       propagation_.run(start, distances);
     });
   }
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
-    solve_recorded(mesh(), start, distances, recording);
+    solve_recorded(start, distances, recording);
   }
 
   Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder> propagation_;

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "solvers/chen_han/corners.h"
@@ -62,12 +63,12 @@ class Propagation {
                 "the policy's Queue lacks a member of WindowQueue (core/queues/concepts.h)");
 
  public:
-  explicit Propagation(const Mesh& mesh, Recorder recorder = {})
+  Propagation(const Mesh& mesh, typename Policy::Queue queue, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
         vertex_count_(mesh.vertex_count()),
         budget_(mesh),
-        queue_(Policy::make_queue(mesh)),
+        queue_(std::move(queue)),
         corners_(mesh.half_edge_count()),
         unreliable_(find_unreliable_vertices(mesh)) {}
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "solvers/core/queues/queue_of.h"
 #include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/edge_based/list_crossing.h"
@@ -24,7 +25,7 @@ struct ByDistance {
 
 /// A policy has
 ///   Queue              of vertices, in the order in which the wavefront passes them (VertexQueue)
-///   make_queue(mesh)   an empty one
+///   make_queue(mesh)   an empty one; with (mesh, description), it reads parameters (queue_of.h)
 ///   Crossing           what crosses a face (wavefront.h), made as ListCrossing(mesh, set, carried)
 template <class Policy>
 class EdgeBased final : public Solver {
@@ -48,8 +49,7 @@ class EdgeBased final : public Solver {
       const InternalQuery& query = start.query;
       const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
       if (drops_long_strips) {
-        make_wavefront(mesh(), instruction_set_, Carried::depth, NoRecorder())
-            .run(start, distances);
+        make_wavefront(Carried::depth, NoRecorder()).run(start, distances);
       } else if (regional_ != nullptr && !ends_early) {
         regional_->run(start, distances);
       } else {
@@ -61,8 +61,7 @@ class EdgeBased final : public Solver {
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
-      solve_recorded(mesh(), instruction_set_, carried_by(recording.kind, drops_long_strips), start,
-                     distances, recording);
+      solve_recorded(carried_by(recording.kind, drops_long_strips), start, distances, recording);
     });
   }
 
@@ -75,14 +74,13 @@ class EdgeBased final : public Solver {
   }
 
   template <class Recorder>
-  static auto make_wavefront(const Mesh& mesh, InstructionSet set, Carried carried,
-                             const Recorder& recorder) {
+  auto make_wavefront(Carried carried, const Recorder& recorder) const {
     return Wavefront<typename Policy::Crossing, typename Policy::Queue, Recorder>(
-        mesh, Policy::make_queue(mesh), typename Policy::Crossing(mesh, set, carried), recorder);
+        mesh(), queue_of<Policy>(mesh(), description()),
+        typename Policy::Crossing(mesh(), instruction_set_, carried), recorder);
   }
   std::unique_ptr<Serial> make_serial() const {
-    return std::make_unique<Serial>(
-        make_wavefront(mesh(), instruction_set_, Carried::nothing, NoRecorder()));
+    return std::make_unique<Serial>(make_wavefront(Carried::nothing, NoRecorder()));
   }
 
   static Carried carried_by(RecordingKind kind, bool drops_long_strips) {
@@ -92,8 +90,8 @@ class EdgeBased final : public Solver {
   }
 
   /// A recorded solve; defined in recorded.h.
-  static void solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                             const Start& start, std::span<double> distances, Recording& recording);
+  void solve_recorded(Carried carried, const Start& start, std::span<double> distances,
+                      Recording& recording) const;
 
   InstructionSet instruction_set_;
   std::unique_ptr<Serial> serial_;

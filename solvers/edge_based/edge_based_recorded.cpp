@@ -5,8 +5,8 @@
 
 namespace geodesic::edge_based {
 
-template void EdgeBased<ByDistance>::solve_recorded(const Mesh&, InstructionSet, Carried,
-                                                    const Start&, std::span<double>, Recording&);
+template void EdgeBased<ByDistance>::solve_recorded(Carried, const Start&, std::span<double>,
+                                                    Recording&) const;
 
 void Approximate::record(const Start& start, std::span<double> distances, Recording& recording) {
   if (exact_ != nullptr) return exact_->record(start, distances, recording);

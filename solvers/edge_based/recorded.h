@@ -6,11 +6,10 @@
 namespace geodesic::edge_based {
 
 template <class Policy>
-void EdgeBased<Policy>::solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                                       const Start& start, std::span<double> distances,
-                                       Recording& recording) {
-  solve_recording(mesh, start.query, distances, recording, [&](const auto& recorder) {
-    make_wavefront(mesh, set, carried, recorder).run(start, distances);
+void EdgeBased<Policy>::solve_recorded(Carried carried, const Start& start,
+                                       std::span<double> distances, Recording& recording) const {
+  solve_recording(mesh(), start.query, distances, recording, [&](const auto& recorder) {
+    make_wavefront(carried, recorder).run(start, distances);
   });
 }
 

@@ -2,11 +2,12 @@
 //
 // A policy has
 //   Queue              of windows, in the order of propagation (WindowQueueByKey)
-//   make_queue(mesh)   an empty one
+//   make_queue(mesh)   an empty one; with (mesh, description), it reads parameters (queue_of.h)
 #pragma once
 
 #include "solvers/core/queues/bucket_queue.h"
 #include "solvers/core/queues/calendar_queue.h"
+#include "solvers/core/queues/queue_of.h"
 #include "solvers/core/registry.h"
 #include "solvers/mmp/propagation.h"
 
@@ -28,12 +29,11 @@ template <class Policy>
 class Mmp final : public Solver {
  public:
   Mmp(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(mesh) {}
+      : Solver(mesh, description), propagation_(mesh, queue_of<Policy>(mesh, description)) {}
 
  private:
   /// A recorded solve; defined in recorded.h.
-  static void solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
-                             Recording& recording);
+  void solve_recorded(const Start& start, std::span<double> distances, Recording& recording) const;
 
   void run(const Start& start, std::span<double> distances) override {
     propagation_.run(start, distances);
@@ -41,7 +41,7 @@ class Mmp final : public Solver {
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
     if (recording.kind != RecordingKind::windows) {
-      return solve_recorded(mesh(), start, distances, recording);
+      return solve_recorded(start, distances, recording);
     }
     propagation_.run(start, distances, Keep::for_readers);
     hand_over_windows(*recording.read_windows);

@@ -3,9 +3,7 @@
 
 namespace geodesic::mmp {
 
-template void Mmp<ByDistance>::solve_recorded(const Mesh&, const Start&, std::span<double>,
-                                              Recording&);
-template void Mmp<ByBucket>::solve_recorded(const Mesh&, const Start&, std::span<double>,
-                                            Recording&);
+template void Mmp<ByDistance>::solve_recorded(const Start&, std::span<double>, Recording&) const;
+template void Mmp<ByBucket>::solve_recorded(const Start&, std::span<double>, Recording&) const;
 
 }  // namespace geodesic::mmp

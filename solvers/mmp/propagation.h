@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solvers/core/solver.h"
@@ -33,11 +34,11 @@ enum class Keep : std::uint8_t {
 template <class Policy, class Recorder>
 class Propagation {
  public:
-  explicit Propagation(const Mesh& mesh, Recorder recorder = {})
+  Propagation(const Mesh& mesh, typename Policy::Queue queue, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
         budget_(mesh),
-        edges_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_),
+        edges_(mesh.half_edge_count(), std::move(queue), recorder_),
         rounding_(coordinate_rounding(mesh)) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;

@@ -6,12 +6,14 @@
 namespace geodesic::mmp {
 
 template <class Policy>
-void Mmp<Policy>::solve_recorded(const Mesh& mesh, const Start& start, std::span<double> distances,
-                                 Recording& recording) {
-  solve_recording(mesh, start.query, distances, recording, [&](auto recorder) {
+void Mmp<Policy>::solve_recorded(const Start& start, std::span<double> distances,
+                                 Recording& recording) const {
+  solve_recording(mesh(), start.query, distances, recording, [&](auto recorder) {
     recorder.reinserted(0);
     recorder.window_bytes(sizeof(EdgeWindow<WindowOrigin<NoRecorder>>) + sizeof(ListedWindow));
-    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(start, distances);
+    Propagation<Policy, decltype(recorder)>(mesh(), queue_of<Policy>(mesh(), description()),
+                                            recorder)
+        .run(start, distances);
   });
 }
 

@@ -1,4 +1,4 @@
-// Propagation calls no member of a queue that its concept does not name.
+// Propagation calls no member of a queue that its concept does not name. A policy makes the queue.
 #include "solvers/core/queues/concepts.h"
 
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "meshes/oracles/random_meshes.h"
-#include "solvers/chen_han/chen_han.h"
+#include "solvers/chen_han/recorded.h"
 #include "solvers/core/queues/vertex_heap.h"
-#include "solvers/edge_based/edge_based.h"
-#include "solvers/mmp/mmp.h"
+#include "solvers/edge_based/recorded.h"
+#include "solvers/mmp/recorded.h"
 
 namespace geodesic {
 namespace {
@@ -122,8 +122,9 @@ TEST_F(QueueConcepts, name_all_that_edge_based_calls) {
 
 template <template <class> class Propagation, class Policy>
 std::vector<double> windows_by(const Mesh& mesh) {
-  return distances_of(
-      mesh, [&](CountingRecorder recorder) { return Propagation<Policy>(mesh, recorder); });
+  return distances_of(mesh, [&](CountingRecorder recorder) {
+    return Propagation<Policy>(mesh, Policy::make_queue(mesh), recorder);
+  });
 }
 template <class Policy>
 using Mmp = mmp::Propagation<Policy, CountingRecorder>;
@@ -136,6 +137,39 @@ TEST_F(QueueConcepts, name_all_that_mmp_calls) {
 
 TEST_F(QueueConcepts, name_all_that_chen_han_calls) {
   expect_the_same(windows_by<ChenHan, Minimal>(mesh_), windows_by<ChenHan, chen_han::Ich>(mesh_));
+}
+
+/// A policy whose queue has a parameter. It keeps the value that it read last.
+template <class Base>
+struct WithWidth : Base {
+  static inline double width = 0;
+  static typename Base::Queue make_queue(const Mesh& mesh, const Description& description) {
+    width = description.real("width");
+    return Base::make_queue(mesh);
+  }
+};
+
+template <template <class> class Family, class Base>
+void expect_that_queues_have_the_parameter(const Mesh& mesh) {
+  using Policy = WithWidth<Base>;
+  const Description description{.name = "variant",
+                                .family = "",
+                                .paper = "",
+                                .parameters = {real_parameter("width", 2, 1, 4, "of a bucket")},
+                                .values = {{"width", 3}}};
+  Family<Policy> solver(mesh, description);
+  EXPECT_EQ(std::exchange(Policy::width, 0), 3) << "timed";
+  Recording recording;
+  std::vector<double> distances(mesh.vertex_count());
+  solver.solve({.sources = {{0}}}, distances, &recording);
+  EXPECT_EQ(Policy::width, 3) << "recorded";
+}
+
+TEST(Policy, may_read_parameters_of_its_solver_for_its_queue_in_timed_and_recorded_solves) {
+  const Mesh mesh{rough_terrain(1, 5, 5, 1)};
+  expect_that_queues_have_the_parameter<mmp::Mmp, mmp::ByDistance>(mesh);
+  expect_that_queues_have_the_parameter<chen_han::ChenHan, chen_han::Ich>(mesh);
+  expect_that_queues_have_the_parameter<edge_based::EdgeBased, edge_based::ByDistance>(mesh);
 }
 
 }  // namespace

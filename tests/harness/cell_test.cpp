@@ -755,6 +755,23 @@ TEST_F(RunOfABox, IsVerifiedByASolverWhenItsFileIsAnotherMesh) {
   expect_words(run.err, {"'box' cannot be verified by its closed form"});
 }
 
+TEST_F(RunOfABox, IsRefusedWhenTheManifestHasAnotherSumOfItsFile) {
+  const auto run_with = [&](const std::string& sum) {
+    json manifest = json::parse(read(folder_ / "manifest.json"));
+    manifest["meshes"][0]["sha256"] = sum;
+    write("manifest.json", manifest.dump());
+    std::filesystem::remove_all(out_);
+    return run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});
+  };
+  ASSERT_EQ(run_with(std::string(64, '0')).code, 0) << "not known yet";
+  const json measured = json::parse(read(out_ / "run.json"));
+  const json& box = measured.at("context").at("geodesic_bench").at("meshes").at(0);
+  EXPECT_EQ(run_with(box.at("sha256")).code, 0);
+  const Output refused = run_with(std::string(64, '1'));
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"mesh 'box': ", "the manifest says 1111", "fetch.py box"});
+}
+
 // The parameters of a mesh that is made from another mesh do not determine its shape.
 TEST_F(RunOfABox, WithAnInputHasNoClosedForm) {
   write("manifest.json", whole_manifest(R"({"corpora": {"quick": ["box"]}, "meshes": [

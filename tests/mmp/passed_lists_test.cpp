@@ -19,7 +19,8 @@ struct Kept {
 template <class Policy>
 Kept solve(const Mesh& mesh, const Query& query, Keep keep) {
   Kept solved;
-  Propagation<Policy, CountingRecorder> propagation(mesh, CountingRecorder(solved.recording));
+  Propagation<Policy, CountingRecorder> propagation(mesh, Policy::make_queue(mesh),
+                                                    CountingRecorder(solved.recording));
   std::vector<double> distances(mesh.vertex_count(), kInfinity);
   propagation.run(Start(mesh, in_internal_numbers(mesh, query)), distances, keep);
   for (const double d : distances) solved.distances.push_back(std::bit_cast<std::uint64_t>(d));

@@ -37,13 +37,13 @@ def test_one_line_says_that_environments_agree() -> None:
 @pytest.mark.parametrize(
     ("change", "line"),
     [
-        ({"microcode": "0x2"}, "different microcode: 0x1 / 0x2"),
-        ({"kernel": "Linux 6.12"}, "different kernel: Linux 6.1 / Linux 6.12"),
-        ({"governor": "powersave"}, "different governor: none / powersave"),
-        ({"libraries": "glibc 2.41"}, "different libraries: benchmark 1.7.1, glibc 2.36 / glibc 2.41"),
-        ({"cores": "1"}, "different cores: 0-1 / 1"),
-        ({"core_limit": 1.5}, "different limit of cores: none / 1.5"),
-        ({"load": 2.25}, "different load: 0.1 / 2.2"),
+        ({"microcode": "0x2"}, "different microcode: 0x1 (base) / 0x2 (head)"),
+        ({"kernel": "Linux 6.12"}, "different kernel: Linux 6.1 (base) / Linux 6.12 (head)"),
+        ({"governor": "powersave"}, "different governor: none (base) / powersave (head)"),
+        ({"libraries": "glibc 2.41"}, "different libraries: benchmark 1.7.1, glibc 2.36 (base) / glibc 2.41 (head)"),
+        ({"cores": "1"}, "different cores: 0-1 (base) / 1 (head)"),
+        ({"core_limit": 1.5}, "different limit of cores: none (base) / 1.5 (head)"),
+        ({"load": 2.25}, "different load: 0.1 (base) / 2.2 (head)"),
     ],
 )
 def test_each_difference_of_the_machine_is_a_line(change: dict[str, Any], line: str) -> None:
