@@ -115,10 +115,16 @@ class Propagation {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
         --waiting_;
-        if (!is_outdated(w) && !is_too_long(w)) propagate(w);
+        if (!is_outdated(w) && !is_too_long(w) && !has_returned(w)) propagate(w);
       }
       if (progress_.made_step()) sample();
     }
+  }
+
+  /// True for a line that comes back to the face of its source.
+  bool has_returned(const Stored& w) const {
+    return w.root >= vertex_count_ &&
+           start_lines_.beat(w, w.half_edge, mesh_.half_edge(w.half_edge).length, rounding_);
   }
 
   Stored pop() {
@@ -133,7 +139,10 @@ class Propagation {
 
   void begin(const Start& start, std::span<double> distances) {
     distances_ = distances;
-    if (!start.windows.empty()) make_room_for_roots(start.query);
+    if (!start.windows.empty()) {
+      make_room_for_roots(start.query);
+      rounding_ = coordinate_rounding(mesh_);
+    }
     limit_ = start.query.limit;
     stops_ = start.query.stop_at_targets;
     stop_rule_ = StopRule(mesh_, start.query, distances_);
@@ -144,6 +153,8 @@ class Propagation {
     pipeline_.clear();
     corners_.clear();
     progress_.start(mesh_, start);
+    start_lines_.clear();
+    for (const StartWindow& each : start.windows) start_lines_.add(each);
     for (const auto& [v, distance, always_emits, last] : start.vertices) {
       if (always_emits) {
         start_at(v, distance, last);
@@ -375,6 +386,8 @@ class Propagation {
   [[no_unique_address]] Recorder recorder_;
   Index vertex_count_;
   WindowBudget budget_;
+  StartLines start_lines_;
+  double rounding_ = 0;           // of coordinates; with lines from points only
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
   Corners corners_;

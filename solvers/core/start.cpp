@@ -1,8 +1,10 @@
 #include "solvers/core/start.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "solvers/core/tolerance.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic {
 namespace {
@@ -36,6 +38,18 @@ Start::Start(const Mesh& mesh, InternalQuery lowered) : query(std::move(lowered)
       add_point(mesh, source, mesh.vertex_count() + i, *this);
     }
   }
+}
+
+bool StartLines::beat(const Window& w, Index h, double length, double rounding) const {
+  const auto [first, last] = by_side_.equal_range(h);
+  return std::any_of(first, last, [&](const auto& side_and_lines) {
+    const Window& lines = side_and_lines.second;
+    const auto is_as_short_at = [&](double t) {
+      return !is_shorter(distance_at(w, t), distance_at(lines, length - t) * (1 - kPathTie),
+                         rounding);
+    };
+    return lines.sigma == w.sigma && is_as_short_at(w.begin) && is_as_short_at(w.end);
+  });
 }
 
 }  // namespace geodesic

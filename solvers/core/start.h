@@ -1,6 +1,7 @@
 // Where the propagation of a query begins: its sources as vertices and windows.
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "solvers/core/query.h"
@@ -40,6 +41,29 @@ struct Start {
   InternalQuery query;                ///< the sources as points, the limit and the targets
   std::vector<StartVertex> vertices;  ///< a vertex may occur several times
   std::vector<StartWindow> windows;   ///< by source
+};
+
+/// The lines that leave the faces of sources, by the sides that they cross.
+///
+/// No shortest path enters the face of its source again: within a face, the straight line is
+/// shorter. Beside a corner at the tip of needles, lines wind around the corner as often as the
+/// needles are longer than wide. Each turn is longer by less than rounding, which shortens some by
+/// more: no distance then shows that they have come back.
+class StartLines {
+ public:
+  bool empty() const { return by_side_.empty(); }
+  void clear() { by_side_.clear(); }
+  void add(const StartWindow& start) { by_side_.emplace(start.side, start.window); }
+
+  /// True when lines from a source in the face of h are as short as those of a window up to
+  /// rounding, on all of its interval. With equal sigma, points that are as far from both lie on a
+  /// line: the ends of the interval decide.
+  /// @param w in the frame of h, whose face it enters
+  /// @param rounding of coordinates
+  [[gnu::cold]] bool beat(const Window& w, Index h, double length, double rounding) const;
+
+ private:
+  std::unordered_multimap<Index, Window> by_side_;  // in the frames of the twins
 };
 
 }  // namespace geodesic

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "solvers/core/recorders.h"
+#include "solvers/core/start.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/batch.h"
 #include "solvers/edge_based/kernels.h"
@@ -37,7 +38,9 @@ class ListCrossing {
     distances_ = distances;
     lists_.clear();
     budget_.start();
+    start_lines_.clear();
   }
+  void start_across(const StartWindow& start) { start_lines_.add(start); }
   void follow_edge(Index /*from*/, Index /*to*/) {}
   void finish() {}
   double rounding() const { return rounding_; }
@@ -117,6 +120,7 @@ class ListCrossing {
       kernels_.trim(batch_, below);
     }
     if (carried_ == Carried::depth) drop_long_strips();
+    drop_returned_lines(h, edge.length);
   }
 
   /// Strategy I if windows of one edge may have come through different sheets. Lines that cross
@@ -136,6 +140,17 @@ class ListCrossing {
   [[gnu::noinline]] void drop_long_strips() {
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (is_strip_too_long(mesh_, depth_of(i))) batch_.strike_out(i);
+    }
+  }
+
+  /// Drops what StartLines beat.
+  void drop_returned_lines(Index h, double length) {
+    if (start_lines_.empty()) [[likely]] {
+      return;
+    }
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (batch_.is_struck_out(i)) continue;
+      if (start_lines_.beat(batch_.window(i), h, length, rounding_)) batch_.strike_out(i);
     }
   }
 
@@ -219,6 +234,7 @@ class ListCrossing {
   WindowLists lists_;
   WindowBudget budget_;
   double rounding_;  // of coordinates
+  StartLines start_lines_;
   // Scratch memory for one list.
   Batch batch_;
   Marks kept_left_, kept_right_;

@@ -35,6 +35,7 @@ class MergedCrossing {
     lists_.start(distances);
     budget_.start();
   }
+  void start_across(const StartWindow& /*start*/) {}
   void follow_edge(Index from, Index to) {
     lists_.shortfalls().set(to, lists_.shortfalls().of(from));
   }

@@ -205,6 +205,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(56, 0.99999999983289278, 0, 1.6710727363088468e-10)},
      {SurfacePoint(3)},
      "edge-based: 2e-12, from a source 9e-15 of an edge from a corner"},
+    {401,
+     5163,
+     196,
+     {in(194, 0.99999999969999998, 1.8e-10, 1.200000248221113e-10)},
+     {SurfacePoint(70)},
+     "edge-based, ich, fwp-ch: 9e-12, from lines that wind round the tip of needles"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {

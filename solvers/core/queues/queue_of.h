@@ -2,9 +2,10 @@
 #pragma once
 
 #include "solvers/core/mesh.h"
-#include "solvers/core/registry.h"
 
 namespace geodesic {
+
+struct Description;  // solvers/core/solver.h
 
 /// The empty queue of a policy: make_queue(mesh, description) of a policy whose queue depends on
 /// parameters (`description.real("width")`), otherwise make_queue(mesh).
