@@ -17,6 +17,7 @@ MACHINE = {
 """Facts of an environment: their names, and their words."""
 NONE = "none"
 """The text of a fact that the system does not tell, such as the governor of a virtual machine."""
+LOAD = "load"
 SAME_LOAD = 0.5
 """Greatest difference of two loads that are called the same, in running processes."""
 
@@ -63,7 +64,8 @@ def differences(
     alone = [words for words in {**base, **head} if words not in both]
     if alone:
         found.append(f"only one of the two says its {', '.join(alone)}")
-    return found or [f"the environments agree: {', '.join(both)}"]
+    alike = (f"{words} {base[words]}" if words == LOAD else words for words in both)
+    return found or [f"the environments agree: {', '.join(alike)}"]
 
 
 def differences_of_runs(base: Run, head: Run) -> list[str]:
@@ -72,8 +74,8 @@ def differences_of_runs(base: Run, head: Run) -> list[str]:
     old, new = load(base), load(head)
     if old is not None and new is not None and abs(new - old) <= SAME_LOAD:
         new = old
-    before |= {} if old is None else {"load": f"{old:.1f}"}
-    after |= {} if new is None else {"load": f"{new:.1f}"}
+    before |= {} if old is None else {LOAD: f"{old:.1f}"}
+    after |= {} if new is None else {LOAD: f"{new:.1f}"}
     both = base.solvers.keys() & head.solvers.keys()
     for run, found in ((base, before), (head, after)):
         several = {s["name"]: s.get("threads", 1) for s in run.ours["solvers"] if s["name"] in both}

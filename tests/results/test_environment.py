@@ -30,7 +30,7 @@ def test_one_line_says_that_environments_agree() -> None:
     (line,) = environment.differences_of_runs(run_in(HERE), run_in(HERE | {"load": 0.4}))
     assert line == (
         "the environments agree: processor, microcode, kernel, governor, libraries, cores, limit of cores,"
-        " compiler, compiler flags, build type, load, threads"
+        " compiler, compiler flags, build type, load 0.1, threads"
     )
 
 
