@@ -5,12 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
-#include <vector>
 
 #include "solvers/core/tolerance.h"
-#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -74,28 +71,6 @@ TEST(Start, next_to_a_corner_lets_the_corner_emit_and_nearer_than_rounding_it_al
   const Start at = from(point_in_face(plate, 0, {1 - near / 4, near / 8, near / 8}));
   EXPECT_EQ(emitting(at), 1);
   EXPECT_TRUE(at.windows.empty());
-}
-
-// Six needles around a tip, 100,000 times as long as wide: a line beside the tip winds around it
-// 30,000 times. Rounding shortens it by 1e-16 of its length at each face.
-TEST(StartLines, that_wind_around_the_tip_of_needles_end_in_the_face_of_their_source) {
-  TriangleSoup soup{{{0, 0, 0}}, {}};
-  for (Index i = 0; i < 6; ++i) {
-    const double angle = std::numbers::pi / 3 * i;
-    soup.positions.push_back({1e-5 * std::cos(angle), 1e-5 * std::sin(angle), 1});
-    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % 6});
-  }
-  const Mesh mesh(soup);
-  const SurfacePoint beside_tip = point_in_face(mesh, 0, {1 - 3e-9, 1e-9, 2e-9});
-  const Vec3 from = position_of(mesh, beside_tip);
-  for (const char* solver : {"edge-based", "ich", "fwp-ch", "mmp", "fwp-mmp"}) {
-    const Query query{.sources = {{beside_tip}}};
-    EXPECT_LT(propagated_by(solver, mesh, query), 1000u) << solver;
-    const std::vector<double> distances = distances_by(solver, mesh, query);
-    for (const Index v : {1u, 2u}) {
-      EXPECT_NEAR(distances[v], norm(subtract(mesh.position(v), from)), 1e-15) << solver;
-    }
-  }
 }
 
 // From (1, 0.5) in the face below the diagonal, across which windows return.

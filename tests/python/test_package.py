@@ -61,7 +61,7 @@ def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for native in (gb.Defect, gb.Solver):
         assert all(inspect.getdoc(each) for name, each in vars(native).items() if name[0] != "_"), native
     for attribute in ("points", "faces", "travelled", "length", "source"):
-        assert f"    {attribute} : " in gb.Path.__doc__
+        assert f"{attribute} : " in gb.Path.__doc__
     for method in (gb.Mesh.distances, gb.Mesh.solve, gb.Mesh.isolines, gb.Mesh.path, gb.Mesh.paths, gb.Mesh.nearest_point,
                    gb.Field.at, gb.Field.path_to, gb.Field.paths_to, gb.Field.isolines,
                    gb.Mesh.distance_matrix, gb.Mesh.prepare, gb.Mesh.load_prepared, gb.Prepared.save, gb.read_mesh, gb.run, gb.benchmark):
