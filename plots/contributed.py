@@ -17,8 +17,8 @@ if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
 from plots import (
-    break_even, catalogue, frontier, further_sources, headline, many_sources, path_costs, peers_overview, robustness, style,
-    summary, twins,
+    break_even, catalogue, frontier, further_sources, headline, many_sources, path_costs, peers_overview, robustness,
+    style, summary, twins,
 )  # fmt: skip
 from plots.drawing import Drawing
 from plots.measures import ERROR, columns, errors_of, interval, percent

@@ -189,6 +189,7 @@ RunRequest saved_request(const fs::path& folder) {
     json.at("started").get_to(request.started);
     json.at("changes").get_to(request.changes);
     json.at("environments").get_to(request.environments);
+    if (request.environments.empty()) throw HarnessError("it names no environment");
     json.at("command").get_to(request.command);
     request.resume = folder;
     return request;

@@ -152,6 +152,15 @@ def test_a_run_that_goes_on_in_another_environment_says_both(world: World) -> No
     assert before["libraries"] == after["libraries"] and "glibc" in before["libraries"]
 
 
+def test_a_request_without_an_environment_is_refused(world: World) -> None:
+    world.unfinished()
+    request = world.out / "request.json"
+    request.write_text(json.dumps(json.loads(request.read_text()) | {"environments": []}))
+    refused = world.resume()
+    assert refused.returncode == 1 and "it names no environment" in refused.stderr
+    assert len(refused.stderr.splitlines()) == 1
+
+
 def test_a_folder_without_a_run_is_refused(world: World) -> None:
     for folder in (world.folder, world.folder / "nowhere"):
         ended = subprocess.run(
