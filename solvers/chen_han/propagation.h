@@ -306,8 +306,10 @@ class Propagation {
       }
     } else if (sight.reaches()) {
       const double bend = sight.left() ? w.end : w.begin;  // the apex lies beyond this end
-      improve_apex(h, face, distance_over(w, bend, face.apex_x, face.apex_y), {bend, 0},
-                   {h, w.root, {w.x, w.y}});
+      // Up to rounding, a way over a vertex right next to the apex is as short as the line beside
+      // it, but arrives from elsewhere: the apex then emits in all directions.
+      improve(mesh_.apex(h), distance_over(w, bend, face.apex_x, face.apex_y), {},
+              {h, w.root, {w.x, w.y}});
     }
     if (to.left) {
       offer(w, to_left, face.left_child(w, sight.right()), Entry::at_origin,
