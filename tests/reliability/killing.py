@@ -21,7 +21,7 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 VARYING = (
     "real_time cpu_time iterations prepare_time mesh_time propagation trimming queue "
     "timer_overhead process_peak_bytes date started finished checksum mhz_per_cpu executable "
-    "memory_limit stolen_share involuntary_switches_per_s solver_peak_bytes"
+    "memory_limit load stolen_share involuntary_switches_per_s solver_peak_bytes"
 ).split()
 """Keys whose values are times or depend on times or on other processes of the machine. solver_peak_bytes
 is one of them: malloc adds 16 bytes to a block if the rest of a free chunk is too small to be split off.
