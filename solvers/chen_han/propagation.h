@@ -121,10 +121,13 @@ class Propagation {
     }
   }
 
-  /// True for a line that comes back to the face of its source.
+  /// True for a line that comes back to a face of its root: within it, the straight line is
+  /// shorter.
   bool has_returned(const Stored& w) const {
-    return w.root >= vertex_count_ &&
-           start_lines_.beat(w, w.half_edge, mesh_.half_edge(w.half_edge).length, rounding_);
+    const HalfEdge& e = mesh_.half_edge(w.half_edge);
+    if (w.root >= vertex_count_) return start_lines_.beat(w, w.half_edge, rounding_);
+    return w.root == e.origin || w.root == mesh_.head(w.half_edge) ||
+           w.root == mesh_.apex(w.half_edge);
   }
 
   Stored pop() {
@@ -154,7 +157,9 @@ class Propagation {
     corners_.clear();
     progress_.start(mesh_, start);
     start_lines_.clear();
-    for (const StartWindow& each : start.windows) start_lines_.add(each);
+    for (const StartWindow& each : start.windows) {
+      start_lines_.add(each, mesh_.half_edge(each.side).length);
+    }
     for (const auto& [v, distance, always_emits, last] : start.vertices) {
       if (always_emits) {
         start_at(v, distance, last);

@@ -126,6 +126,7 @@ Mesh::Mesh(Part part)
     : positions_(std::move(part.positions)),
       half_edges_(std::move(part.half_edges)),
       pseudo_source_(std::move(part.pseudo_source)),
+      has_thin_faces_(part.has_thin_faces),
       mean_edge_length_(part.mean_edge_length) {
   index_outgoing(3 * part.faces);
 }
@@ -381,6 +382,7 @@ void Mesh::classify_vertices() {
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
     const HalfEdge& e = half_edge(h);
+    has_thin_faces_ |= e.apex_y < kThinFace * e.length;
     if (e.apex_y > kFlatFace * e.length) continue;
     pseudo_source_[origin(h)] = pseudo_source_[head(h)] = pseudo_source_[apex(h)] = 1;
     has_degenerate_faces_ |= !(e.apex_y > 0 && e.length > 0);

@@ -72,6 +72,7 @@ class Mesh {
     std::vector<HalfEdge> half_edges;
     Index faces = 0;
     std::vector<std::uint8_t> pseudo_source;  ///< by vertex
+    bool has_thin_faces = false;
     double mean_edge_length = 0;
   };
   explicit Mesh(Part part);
@@ -168,6 +169,8 @@ class Mesh {
   bool has_non_manifold_vertices() const { return has_non_manifold_vertices_; }
   /// True when some face has an edge of length zero or no area.
   bool has_degenerate_faces() const { return has_degenerate_faces_; }
+  /// True when some face is lower than kThinFace of one of its sides.
+  bool has_thin_faces() const { return has_thin_faces_; }
 
   const Vec3& position(Index v) const { return positions_[v]; }
   std::span<const Vec3> positions() const& { return positions_; }
@@ -227,6 +230,7 @@ class Mesh {
   std::vector<std::uint8_t> pseudo_source_;
   bool has_non_manifold_vertices_ = false;
   bool has_degenerate_faces_ = false;
+  bool has_thin_faces_ = false;
   Index edge_count_ = 0;
   Index external_faces_ = kNone;  // kNone in a part: all of its faces
   double mean_edge_length_ = 0;

@@ -40,15 +40,17 @@ Start::Start(const Mesh& mesh, InternalQuery lowered) : query(std::move(lowered)
   }
 }
 
-bool StartLines::beat(const Window& w, Index h, double length, double rounding) const {
+bool lines_beat(const Window& lines, const Window& w, double rounding) {
+  const auto are_as_short_at = [&](double t) {
+    return !is_shorter(distance_at(w, t), distance_at(lines, t) * (1 - kPathTie), rounding);
+  };
+  return lines.sigma == w.sigma && are_as_short_at(w.begin) && are_as_short_at(w.end);
+}
+
+bool StartLines::beat(const Window& w, Index h, double rounding) const {
   const auto [first, last] = by_side_.equal_range(h);
   return std::any_of(first, last, [&](const auto& side_and_lines) {
-    const Window& lines = side_and_lines.second;
-    const auto is_as_short_at = [&](double t) {
-      return !is_shorter(distance_at(w, t), distance_at(lines, length - t) * (1 - kPathTie),
-                         rounding);
-    };
-    return lines.sigma == w.sigma && is_as_short_at(w.begin) && is_as_short_at(w.end);
+    return lines_beat(side_and_lines.second, w, rounding);
   });
 }
 

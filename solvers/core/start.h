@@ -43,27 +43,35 @@ struct Start {
   std::vector<StartWindow> windows;   ///< by source
 };
 
-/// The lines that leave the faces of sources, by the sides that they cross.
+/// True when lines through a face are as short as those of a window up to rounding, on all of its
+/// interval. With equal sigma, points that are as far from both lie on a line: the ends of the
+/// interval decide.
 ///
-/// No shortest path enters the face of its source again: within a face, the straight line is
-/// shorter. Beside a corner at the tip of needles, lines wind around the corner as often as the
-/// needles are longer than wide. Each turn is longer by less than rounding, which shortens some by
-/// more: no distance then shows that they have come back.
+/// No shortest path enters a face at its root again: within a face, the straight line is shorter.
+/// Beside the tip of needles, lines wind around the tip as often as the needles are longer than
+/// wide. Each turn is longer by less than rounding, which shortens some by more: no distance then
+/// shows that they have come back.
+/// @param lines in the frame of w
+/// @param rounding of coordinates
+[[gnu::cold]] bool lines_beat(const Window& lines, const Window& w, double rounding);
+
+/// The lines that leave the faces of sources, by the sides that they cross.
 class StartLines {
  public:
   bool empty() const { return by_side_.empty(); }
   void clear() { by_side_.clear(); }
-  void add(const StartWindow& start) { by_side_.emplace(start.side, start.window); }
+  /// @param length of the side
+  void add(const StartWindow& start, double length) {
+    const auto& [begin, end, x, y, sigma] = start.window;
+    by_side_.emplace(start.side, Window{length - end, length - begin, length - x, -y, sigma});
+  }
 
-  /// True when lines from a source in the face of h are as short as those of a window up to
-  /// rounding, on all of its interval. With equal sigma, points that are as far from both lie on a
-  /// line: the ends of the interval decide.
+  /// Whether lines from a source in the face of h beat a window.
   /// @param w in the frame of h, whose face it enters
-  /// @param rounding of coordinates
-  [[gnu::cold]] bool beat(const Window& w, Index h, double length, double rounding) const;
+  [[gnu::cold]] bool beat(const Window& w, Index h, double rounding) const;
 
  private:
-  std::unordered_multimap<Index, Window> by_side_;  // in the frames of the twins
+  std::unordered_multimap<Index, Window> by_side_;  // in the frames of the sides
 };
 
 }  // namespace geodesic

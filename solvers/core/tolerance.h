@@ -50,6 +50,10 @@ inline constexpr double kLeastHeight = std::numeric_limits<double>::min();
 /// path may bend at its corners, so all of them send out windows.
 inline constexpr double kFlatFace = 1e-9;
 
+/// A face lower than this times one of its sides is thin: straight lines may wind around a vertex,
+/// or a tube, of such faces more often than rounding allows to tell their lengths apart.
+inline constexpr double kThinFace = 1.0 / 256;
+
 /// A window narrower than this times the length of its edge is dropped.
 inline constexpr double kWindowWidth = 1e-14;
 

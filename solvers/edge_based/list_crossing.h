@@ -40,7 +40,9 @@ class ListCrossing {
     budget_.start();
     start_lines_.clear();
   }
-  void start_across(const StartWindow& start) { start_lines_.add(start); }
+  void start_across(const StartWindow& start) {
+    start_lines_.add(start, mesh_.half_edge(start.side).length);
+  }
   void follow_edge(Index /*from*/, Index /*to*/) {}
   void finish() {}
   double rounding() const { return rounding_; }
@@ -120,7 +122,12 @@ class ListCrossing {
       kernels_.trim(batch_, below);
     }
     if (carried_ == Carried::depth) drop_long_strips();
-    drop_returned_lines(h, edge.length);
+    if (!start_lines_.empty()) [[unlikely]] {
+      drop_if([&](const Window& w) { return start_lines_.beat(w, h, rounding_); });
+    }
+    if (mesh_.has_thin_faces()) [[unlikely]] {
+      drop_lines_of_corners(h);
+    }
   }
 
   /// Strategy I if windows of one edge may have come through different sheets. Lines that cross
@@ -143,14 +150,21 @@ class ListCrossing {
     }
   }
 
-  /// Drops what StartLines beat.
-  void drop_returned_lines(Index h, double length) {
-    if (start_lines_.empty()) [[likely]] {
-      return;
+  /// Drops lines that come back to a face at their root (start.h). Windows carry no root: those
+  /// that begin with the distance of a corner may be the corner's.
+  [[gnu::cold, gnu::noinline]] void drop_lines_of_corners(Index h) {
+    const HalfEdge& e = mesh_.half_edge(h);
+    const Window origin{0, e.length, 0, 0, distances_[e.origin]};
+    const Window head{0, e.length, e.length, 0, distances_[mesh_.head(h)]};
+    const Window apex{0, e.length, e.apex_x, e.apex_y, distances_[mesh_.apex(h)]};
+    for (const Window& lines : {origin, head, apex}) {
+      drop_if([&](const Window& w) { return lines_beat(lines, w, rounding_); });
     }
+  }
+
+  [[gnu::noinline]] void drop_if(const auto& is_beaten) {
     for (std::size_t i = 0; i < batch_.count; ++i) {
-      if (batch_.is_struck_out(i)) continue;
-      if (start_lines_.beat(batch_.window(i), h, length, rounding_)) batch_.strike_out(i);
+      if (!batch_.is_struck_out(i) && is_beaten(batch_.window(i))) batch_.strike_out(i);
     }
   }
 

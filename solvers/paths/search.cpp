@@ -347,31 +347,61 @@ PathSearch::Piece PathSearch::piece_from(const Root& root) const {
   }
   std::ranges::reverse(piece.ends);
   // From the root on, the line is aimed at the end again in every face.
-  Point2 ahead = root.place;
+  std::vector<Crossing> line;
   for (Index i = root.view; i != kNone; i = views_[i].parent) {
-    const View& view = views_[i];
-    const double up = ahead.y - view.eye.y;
-    const double x = up > 0 ? ahead.x - (ahead.x - view.eye.x) * (ahead.y / up) : ahead.x;
-    const Point2 here{std::clamp(x, 0.0, mesh_.half_edge(view.in).length), 0};
-    (piece.edge_points.empty() ? piece.rest : piece.edge_points.back().step) =
-        distance_between(here, ahead);
-    piece.edge_points.push_back({view.side, here.x, 0});
-    if (view.parent == kNone) {
-      piece.edge_points.back().step = distance_between(here, view.eye);
-      break;
-    }
-    const Index in = views_[view.parent].in;
-    const FaceFrame f = face_frame(mesh_, in);
-    if (view.side == Mesh::previous(in)) {
-      ahead = {here.x * f.left_x, here.x * f.left_y};
-    } else {
-      const double u = f.right - here.x;
-      ahead = {f.length - u * f.right_x, -u * f.right_y};
-    }
+    line.push_back({&views_[i], views_[i].eye});
   }
-  if (root.view == kNone) piece.rest = root.distance - root.root_distance;
-  std::ranges::reverse(piece.edge_points);
+  for (std::size_t i = 0, straight_from = 0; i < line.size(); ++i) {
+    if (cross(line, i, root.place)) continue;
+    // By rounding of the end's position, the line passes beside the edge. It leads straight to the
+    // vertex there, whose position is exact, and from there on.
+    line[i].aim = {line[i].x, 0};
+    aim_at_last(std::span(line).subspan(straight_from, i + 1 - straight_from));
+    for (std::size_t k = straight_from; k <= i; ++k) cross(line, k, root.place);
+    straight_from = i + 1;
+  }
+  if (line.empty()) {
+    piece.rest = root.distance - root.root_distance;
+    return piece;
+  }
+  piece.rest = line.front().step;
+  piece.edge_points.resize(line.size());
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double step = i + 1 < line.size() ? line[i + 1].step
+                                            : distance_between({line[i].x, 0}, line[i].view->eye);
+    piece.edge_points[line.size() - 1 - i] = {line[i].view->side, line[i].x, step};
+  }
   return piece;
+}
+
+bool PathSearch::cross(std::span<Crossing> line, std::size_t i, const Point2& start) const {
+  Crossing& here = line[i];
+  const Index in = here.view->in;
+  const Point2 ahead = i == 0 ? start : position_beyond(line[i - 1], in);
+  const double up = ahead.y - here.aim.y;
+  const double x = up > 0 ? ahead.x - (ahead.x - here.aim.x) * (ahead.y / up) : ahead.x;
+  here.x = std::clamp(x, 0.0, mesh_.half_edge(in).length);
+  here.step = distance_between({here.x, 0}, ahead);
+  return here.x == x;
+}
+
+Point2 PathSearch::position_beyond(const Crossing& crossing, Index in) const {
+  const FaceFrame f = face_frame(mesh_, in);
+  if (crossing.view->side == Mesh::previous(in)) {
+    return {crossing.x * f.left_x, crossing.x * f.left_y};
+  }
+  const double u = f.right - crossing.x;
+  return {f.length - u * f.right_x, -u * f.right_y};
+}
+
+void PathSearch::aim_at_last(std::span<Crossing> line) const {
+  for (std::size_t i = line.size(); i-- > 1;) {
+    const Point2& aim = line[i].aim;
+    const Index in = line[i].view->in;
+    const FaceFrame f = face_frame(mesh_, in);
+    line[i - 1].aim = line[i - 1].view->side == Mesh::previous(in) ? f.to_left(aim.x, aim.y)
+                                                                   : f.to_right(aim.x, aim.y);
+  }
 }
 
 }  // namespace geodesic

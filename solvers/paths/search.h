@@ -94,6 +94,14 @@ class PathSearch {
     double root_distance = kInfinity;  ///< from the sources
   };
 
+  /// A point where a line from the root crosses the edge of a view, in the frame of its half-edge.
+  struct Crossing {
+    const View* view;
+    Point2 aim;  ///< where the line leads
+    double x = 0;
+    double step = 0;  ///< distance from the crossing before it, or from the root
+  };
+
   /// Tolerances of distances, relative to a length plus the mean edge; the second one is for what
   /// is not found with the first.
   static std::array<double, 2> accuracies(const DistanceField& field);
@@ -118,6 +126,14 @@ class PathSearch {
   void consider(Root root, double distance, const Point2& place, const Point2& eye);
   bool is_straight(const Root& root) const;
   Piece piece_from(const Root& root) const;
+  /// Lets a line that leads from the root to the end cross the edge of its crossing i.
+  /// @param start the root in the frame of the first crossing
+  /// @return false if the line passes beside the edge; x is at the vertex there then
+  bool cross(std::span<Crossing> line, std::size_t i, const Point2& start) const;
+  /// Position of a crossing in the frame of the half-edge that the line crosses after it.
+  Point2 position_beyond(const Crossing& crossing, Index in) const;
+  /// Aims all crossings of a line at the aim of the last one.
+  void aim_at_last(std::span<Crossing> line) const;
 
   const DistanceField& field_;
   const Mesh& mesh_;

@@ -78,14 +78,16 @@ TEST(StartLines, beat_only_lines_that_are_as_long_everywhere_and_have_the_same_s
   const Start start = from(point_in_face(plate, 0, {0.5, 0.25, 0.25}));
   StartLines lines;
   EXPECT_TRUE(lines.empty());
-  for (const StartWindow& each : start.windows) lines.add(each);
+  for (const StartWindow& each : start.windows) {
+    lines.add(each, plate.half_edge(each.side).length);
+  }
   const auto diagonal = std::ranges::find_if(
       start.windows, [](const StartWindow& each) { return plate.twin(each.side) != kNone; });
   ASSERT_NE(diagonal, start.windows.end());
   const double length = plate.half_edge(diagonal->side).length;
   const Window& out = diagonal->window;
   const Window mirrored{0, length, length - out.x, out.y, out.sigma};  // as far from every point
-  const auto beaten = [&](const Window& w) { return lines.beat(w, diagonal->side, length, 0); };
+  const auto beaten = [&](const Window& w) { return lines.beat(w, diagonal->side, 0); };
   EXPECT_TRUE(beaten(mirrored));
   EXPECT_TRUE(beaten({0, length, mirrored.x, 2 * out.y, out.sigma}));
   EXPECT_FALSE(beaten({0, length, mirrored.x, 0.9 * out.y, out.sigma})) << "shorter";

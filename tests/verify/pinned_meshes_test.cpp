@@ -49,6 +49,8 @@ const std::vector<Pin> kPins = {
     // A saddle vertex a billionth of an edge behind a flat one: by rounding, the way over the flat
     // one was shorter than the line beside it, and its direction turned the shadow.
     {"seed-407-mesh-6242", 19, "ch, ich, fwp-ch: 1.4e-4"},
+    // Lines from a vertex wind around the tip of needles, each turn shorter by rounding.
+    {"seed-404-mesh-7724", 7, "edge-based, ich, fwp-ch: 1e-11"},
 };
 
 std::ostream& operator<<(std::ostream& out, const Pin& pin) {
@@ -214,6 +216,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(194, 0.99999999969999998, 1.8e-10, 1.200000248221113e-10)},
      {SurfacePoint(70)},
      "edge-based, ich, fwp-ch: 9e-12, from lines that wind round the tip of needles"},
+    {406,
+     5833,
+     80,
+     {in(34, 0.49972121543272713, 0.50027878456727282, 0)},
+     {SurfacePoint(13)},
+     "paths, 2.4e-9 off their line: before a vertex they led to an inexact position of their end"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
@@ -257,6 +265,8 @@ TEST_P(PinnedPaths, are_as_long_as_right_distances_by_every_exact_solver) {
       const auto wrong =
           check_path(mesh, query, pin.targets[i], distance, paths.to_target(i), given.tolerance);
       EXPECT_FALSE(wrong) << solver->name << " to target " << i << ": " << wrong->what;
+      const auto bent = check_straight(mesh, paths.to_target(i), tolerance);
+      EXPECT_FALSE(bent) << solver->name << " to target " << i << ": " << bent->what;
     }
   }
 }
