@@ -12,8 +12,10 @@ Exit codes: 0 built, or nothing was asked for by name; 3 a peer that was named c
 from __future__ import annotations
 
 import argparse
+import fcntl
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -86,6 +88,18 @@ def plugins_there(builder: Builder, peers: Sequence[Path], named: bool) -> list[
     return there
 
 
+@contextmanager
+def nobody_else_in(folder: Path) -> Iterator[None]:
+    """Raises FetchError while another process builds in the folder: both would write the same files."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:  # released when the process ends, however it ends
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise FetchError(f"another process builds peers in {folder}: wait for its end") from None
+        yield
+
+
 def run(arguments: argparse.Namespace) -> int:
     program = arguments.bench.resolve()
     if not program.is_file():
@@ -103,9 +117,10 @@ def run(arguments: argparse.Namespace) -> int:
         oracles = not arguments.names  # beside all
         print("\n".join(words_of_run(bench, plugins, arguments.words, oracles)))
         return 0
-    install_package(program.parent, folder / "package")
-    bench.make_mesh()
-    missing = build_all(builder, peers)
+    with nobody_else_in(folder):
+        install_package(program.parent, folder / "package")
+        bench.make_mesh()
+        missing = build_all(builder, peers)
     return EXIT_MISSING if missing and arguments.names else 0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import re
 import subprocess
@@ -72,6 +73,16 @@ def test_a_folder_in_place_of_the_repository_is_compiled_as_it_is(world: PeerWor
     (own / HEADER).write_text("#error of one's own\n")
     line, _ = world.build("fake", "-D", f"FETCHCONTENT_SOURCE_DIR_CODES={own}").stdout.splitlines()
     assert line.startswith("fake: missing: does not compile with -O1: ") and "of one's own" in line
+
+
+def test_only_one_process_at_a_time_builds_in_a_folder(world: PeerWorld) -> None:
+    world.built.mkdir(exist_ok=True)
+    with (world.built / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        ended = world.build("fake")
+    assert ended.returncode == 1
+    wait = f"another process builds peers in {world.built}: wait for its end"
+    assert ended.stderr == f"peers/build.py: {wait}\n"
 
 
 def test_an_unknown_name_is_an_error(world: PeerWorld) -> None:
