@@ -124,10 +124,10 @@ class Propagation {
   /// True for a line that comes back to a face of its root: within it, the straight line is
   /// shorter.
   bool has_returned(const Stored& w) const {
-    const HalfEdge& e = mesh_.half_edge(w.half_edge);
-    if (w.root >= vertex_count_) return start_lines_.beat(w, w.half_edge, rounding_);
-    return w.root == e.origin || w.root == mesh_.head(w.half_edge) ||
-           w.root == mesh_.apex(w.half_edge);
+    const Index h = w.half_edge;
+    if (w.root >= vertex_count_) return start_lines_.beat(w, h, rounding_);
+    return mesh_.has_thin_faces() &&
+           (w.root == mesh_.origin(h) || w.root == mesh_.head(h) || w.root == mesh_.apex(h));
   }
 
   Stored pop() {
