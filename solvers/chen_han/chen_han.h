@@ -6,6 +6,9 @@
 //   make_queue(mesh)   an empty one; with (mesh, description), it reads parameters (queue_of.h)
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/queues/bucket_queue.h"
 #include "solvers/core/queues/calendar_queue.h"
@@ -36,27 +39,28 @@ struct FwpCh {
 template <class Policy>
 class ChenHan final : public Solver {
  public:
-  ChenHan(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(mesh, queue_of<Policy>(mesh, description)) {}
+  ChenHan(const Mesh& mesh, const Description& description) : Solver(mesh, description) {
+    if (mesh.has_thin_faces()) return;
+    timed_.emplace(mesh, queue_of<Policy>(mesh, description));
+  }
 
  private:
   /// A recorded solve; defined in recorded.h, like the next function.
   void solve_recorded(const Start& start, std::span<double> distances, Recording& recording) const;
-  /// A timed solve with windows that store the length of their strip.
-  void solve_dropping_long_strips(const Start& start, std::span<double> distances) const;
+  /// A timed solve with windows that store the length of their strip (core/window_bound.h).
+  void solve_with_strip_lengths(const Start& start, std::span<double> distances) const;
 
   void run(const Start& start, std::span<double> distances) override {
-    solve_within_bound(distances, [&](bool drops_long_strips) {
-      if (drops_long_strips) return solve_dropping_long_strips(start, distances);
-      propagation_.run(start, distances);
-    });
+    if (!timed_.has_value()) return solve_with_strip_lengths(start, distances);
+    timed_->run(start, distances);
   }
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
     solve_recorded(start, distances, recording);
   }
 
-  Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder> propagation_;
+  // Empty on meshes with thin faces.
+  std::optional<Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder>> timed_;
 };
 
 }  // namespace geodesic::chen_han

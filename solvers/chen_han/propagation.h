@@ -115,19 +115,10 @@ class Propagation {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
         --waiting_;
-        if (!is_outdated(w) && !is_too_long(w) && !has_returned(w)) propagate(w);
+        if (!is_outdated(w) && !is_too_long(w)) propagate(w);
       }
       if (progress_.made_step()) sample();
     }
-  }
-
-  /// True for a line that comes back to a face of its root: within it, the straight line is
-  /// shorter.
-  bool has_returned(const Stored& w) const {
-    const Index h = w.half_edge;
-    if (w.root >= vertex_count_) return start_lines_.beat(w, h, rounding_);
-    return mesh_.has_thin_faces() &&
-           (w.root == mesh_.origin(h) || w.root == mesh_.head(h) || w.root == mesh_.apex(h));
   }
 
   Stored pop() {
@@ -142,10 +133,7 @@ class Propagation {
 
   void begin(const Start& start, std::span<double> distances) {
     distances_ = distances;
-    if (!start.windows.empty()) {
-      make_room_for_roots(start.query);
-      rounding_ = coordinate_rounding(mesh_);
-    }
+    if (!start.windows.empty()) make_room_for_roots(start.query);
     limit_ = start.query.limit;
     stops_ = start.query.stop_at_targets;
     stop_rule_ = StopRule(mesh_, start.query, distances_);
@@ -156,10 +144,6 @@ class Propagation {
     pipeline_.clear();
     corners_.clear();
     progress_.start(mesh_, start);
-    start_lines_.clear();
-    for (const StartWindow& each : start.windows) {
-      start_lines_.add(each, mesh_.half_edge(each.side).length);
-    }
     for (const auto& [v, distance, always_emits, last] : start.vertices) {
       if (always_emits) {
         start_at(v, distance, last);
@@ -375,7 +359,7 @@ class Propagation {
 
   bool is_too_long(const Stored& w) const {
     if constexpr (std::is_same_v<Depth, StripDepth>) {
-      return is_strip_too_long(mesh_, w.depth.faces + std::uint64_t{1});
+      return is_strip_too_long(mesh_.face_count(), w.depth.faces + std::uint64_t{1});
     } else {
       return false;
     }
@@ -393,8 +377,6 @@ class Propagation {
   [[no_unique_address]] Recorder recorder_;
   Index vertex_count_;
   WindowBudget budget_;
-  StartLines start_lines_;
-  double rounding_ = 0;           // of coordinates; with lines from points only
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
   Corners corners_;

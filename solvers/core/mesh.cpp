@@ -126,7 +126,6 @@ Mesh::Mesh(Part part)
     : positions_(std::move(part.positions)),
       half_edges_(std::move(part.half_edges)),
       pseudo_source_(std::move(part.pseudo_source)),
-      has_thin_faces_(part.has_thin_faces),
       mean_edge_length_(part.mean_edge_length) {
   index_outgoing(3 * part.faces);
 }

@@ -72,7 +72,6 @@ class Mesh {
     std::vector<HalfEdge> half_edges;
     Index faces = 0;
     std::vector<std::uint8_t> pseudo_source;  ///< by vertex
-    bool has_thin_faces = false;
     double mean_edge_length = 0;
   };
   explicit Mesh(Part part);

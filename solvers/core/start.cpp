@@ -40,18 +40,4 @@ Start::Start(const Mesh& mesh, InternalQuery lowered) : query(std::move(lowered)
   }
 }
 
-bool lines_beat(const Window& lines, const Window& w, double rounding) {
-  const auto are_as_short_at = [&](double t) {
-    return !is_shorter(distance_at(w, t), distance_at(lines, t) * (1 - kPathTie), rounding);
-  };
-  return lines.sigma == w.sigma && are_as_short_at(w.begin) && are_as_short_at(w.end);
-}
-
-bool StartLines::beat(const Window& w, Index h, double rounding) const {
-  const auto [first, last] = by_side_.equal_range(h);
-  return std::any_of(first, last, [&](const auto& side_and_lines) {
-    return lines_beat(side_and_lines.second, w, rounding);
-  });
-}
-
 }  // namespace geodesic

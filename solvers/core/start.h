@@ -1,7 +1,6 @@
 // Where the propagation of a query begins: its sources as vertices and windows.
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "solvers/core/query.h"
@@ -41,37 +40,6 @@ struct Start {
   InternalQuery query;                ///< the sources as points, the limit and the targets
   std::vector<StartVertex> vertices;  ///< a vertex may occur several times
   std::vector<StartWindow> windows;   ///< by source
-};
-
-/// True when lines through a face are as short as those of a window up to rounding, on all of its
-/// interval. With equal sigma, points that are as far from both lie on a line: the ends of the
-/// interval decide.
-///
-/// No shortest path enters a face at its root again: within a face, the straight line is shorter.
-/// Beside the tip of needles, lines wind around the tip as often as the needles are longer than
-/// wide. Each turn is longer by less than rounding, which shortens some by more: no distance then
-/// shows that they have come back.
-/// @param lines in the frame of w
-/// @param rounding of coordinates
-[[gnu::cold]] bool lines_beat(const Window& lines, const Window& w, double rounding);
-
-/// The lines that leave the faces of sources, by the sides that they cross.
-class StartLines {
- public:
-  bool empty() const { return by_side_.empty(); }
-  void clear() { by_side_.clear(); }
-  /// @param length of the side
-  void add(const StartWindow& start, double length) {
-    const auto& [begin, end, x, y, sigma] = start.window;
-    by_side_.emplace(start.side, Window{length - end, length - begin, length - x, -y, sigma});
-  }
-
-  /// Whether lines from a source in the face of h beat a window.
-  /// @param w in the frame of h, whose face it enters
-  [[gnu::cold]] bool beat(const Window& w, Index h, double rounding) const;
-
- private:
-  std::unordered_multimap<Index, Window> by_side_;  // in the frames of the sides
 };
 
 }  // namespace geodesic

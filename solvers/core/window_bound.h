@@ -2,15 +2,15 @@
 //
 // Around the tip of needles, and around a tube of them, windows wind as often as the needles are
 // longer than wide. If a solver keeps no window that has passed, only paths over vertices beat such
-// a window, and these vertices are far away. No shortest path enters a face twice: between two
-// points of a face the straight line in it is shorter. A strip of faces therefore has at most as
-// many faces as the mesh. Windows need not store the length of their strip: a solve that exceeds
-// the bound is repeated with strip lengths, and drops windows with a longer strip.
+// a window, and these vertices are far away. Each turn may be longer by less than rounding, which
+// shortens some by more: a distance then comes out too short. No shortest path enters a face twice:
+// between two points of a face the straight line in it is shorter. A strip of faces therefore has
+// at most as many faces as the mesh. On meshes with thin faces (Mesh::has_thin_faces) windows store
+// the length of their strip, and those with a longer strip are dropped. On other meshes angles
+// bound the number of turns.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <span>
 #include <stdexcept>
 
 #include "solvers/core/mesh.h"
@@ -33,21 +33,8 @@ class EndlessPropagation : public std::runtime_error {
 std::uint64_t window_bound(const Mesh& mesh);
 
 /// True when no shortest path has a strip of `faces` faces, including the one entered next.
-inline bool is_strip_too_long(const Mesh& mesh, std::uint64_t faces) {
-  return faces > mesh.face_count();
-}
-
-/// Calls solve(false), which may ignore the length of strips. If that exceeds the bound, resets the
-/// distances and calls solve(true), which drops windows with too long strips.
-template <class Solve>
-void solve_within_bound(std::span<double> distances, const Solve& solve) {
-  try {
-    solve(false);
-  } catch (const EndlessPropagation&) {
-    std::ranges::fill(distances, kInfinity);
-    solve(true);
-  }
-}
+/// @param face_count of the mesh
+inline bool is_strip_too_long(Index face_count, std::uint64_t faces) { return faces > face_count; }
 
 /// The remaining number of windows in a solve.
 class WindowBudget {
@@ -68,6 +55,8 @@ class WindowBudget {
     }
   }
 
+  /// Number of faces of the mesh.
+  Index face_count() const { return faces_; }
   /// Number of windows since the beginning of the solve.
   std::uint64_t spent() const { return static_cast<std::uint64_t>(bound_ - left_); }
 

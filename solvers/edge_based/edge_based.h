@@ -1,6 +1,7 @@
 // The exact edge-based solver: a wavefront (wavefront.h) with exact lists (list_crossing.h).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -45,24 +46,18 @@ class EdgeBased final : public Solver {
   InstructionSet instruction_set() const override { return instruction_set_; }
 
   void run(const Start& start, std::span<double> distances) override {
-    solve_within_bound(distances, [&](bool drops_long_strips) {
-      const InternalQuery& query = start.query;
-      const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
-      if (drops_long_strips) {
-        make_wavefront(Carried::depth, NoRecorder()).run(start, distances);
-      } else if (regional_ != nullptr && !ends_early) {
-        regional_->run(start, distances);
-      } else {
-        if (serial_ == nullptr) serial_ = make_serial();
-        serial_->run(start, distances);
-      }
-    });
+    const InternalQuery& query = start.query;
+    const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
+    if (regional_ != nullptr && !ends_early) {
+      regional_->run(start, distances);
+    } else {
+      if (serial_ == nullptr) serial_ = make_serial();
+      serial_->run(start, distances);
+    }
   }
 
   void record(const Start& start, std::span<double> distances, Recording& recording) override {
-    solve_within_bound(distances, [&](bool drops_long_strips) {
-      solve_recorded(carried_by(recording.kind, drops_long_strips), start, distances, recording);
-    });
+    solve_recorded(carried_for(recording.kind), start, distances, recording);
   }
 
  private:
@@ -80,13 +75,13 @@ class EdgeBased final : public Solver {
         typename Policy::Crossing(mesh(), instruction_set_, carried), recorder);
   }
   std::unique_ptr<Serial> make_serial() const {
-    return std::make_unique<Serial>(make_wavefront(Carried::nothing, NoRecorder()));
+    return std::make_unique<Serial>(make_wavefront(carried_on(mesh()), NoRecorder()));
   }
 
-  static Carried carried_by(RecordingKind kind, bool drops_long_strips) {
-    if (drops_long_strips) return Carried::depth;
-    if (kind == RecordingKind::paths) return Carried::root;
-    return kind == RecordingKind::phase_times ? Carried::nothing : Carried::depth;
+  Carried carried_for(RecordingKind kind) const {
+    if (kind == RecordingKind::counters || kind == RecordingKind::wavefront) return Carried::depth;
+    const Carried least = kind == RecordingKind::paths ? Carried::root : Carried::nothing;
+    return std::max(least, carried_on(mesh()));
   }
 
   /// A recorded solve; defined in recorded.h.

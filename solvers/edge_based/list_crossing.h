@@ -6,7 +6,6 @@
 #include <span>
 
 #include "solvers/core/recorders.h"
-#include "solvers/core/start.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/batch.h"
 #include "solvers/edge_based/kernels.h"
@@ -15,6 +14,11 @@
 #include "solvers/edge_based/window_lists.h"
 
 namespace geodesic::edge_based {
+
+/// The fields that windows on a mesh need in addition (core/window_bound.h).
+inline Carried carried_on(const Mesh& mesh) {
+  return mesh.has_thin_faces() ? Carried::depth : Carried::nothing;
+}
 
 /// Implements a Crossing (wavefront.h).
 class ListCrossing {
@@ -38,10 +42,6 @@ class ListCrossing {
     distances_ = distances;
     lists_.clear();
     budget_.start();
-    start_lines_.clear();
-  }
-  void start_across(const StartWindow& start) {
-    start_lines_.add(start, mesh_.half_edge(start.side).length);
   }
   void follow_edge(Index /*from*/, Index /*to*/) {}
   void finish() {}
@@ -122,12 +122,6 @@ class ListCrossing {
       kernels_.trim(batch_, below);
     }
     if (carried_ == Carried::depth) drop_long_strips();
-    if (!start_lines_.empty()) [[unlikely]] {
-      drop_if([&](const Window& w) { return start_lines_.beat(w, h, rounding_); });
-    }
-    if (mesh_.has_thin_faces()) [[unlikely]] {
-      drop_lines_of_corners(h);
-    }
   }
 
   /// Strategy I if windows of one edge may have come through different sheets. Lines that cross
@@ -146,25 +140,7 @@ class ListCrossing {
 
   [[gnu::noinline]] void drop_long_strips() {
     for (std::size_t i = 0; i < batch_.count; ++i) {
-      if (is_strip_too_long(mesh_, depth_of(i))) batch_.strike_out(i);
-    }
-  }
-
-  /// Drops lines that come back to a face at their root (start.h). Windows carry no root: those
-  /// that begin with the distance of a corner may be the corner's.
-  [[gnu::cold, gnu::noinline]] void drop_lines_of_corners(Index h) {
-    const HalfEdge& e = mesh_.half_edge(h);
-    const Window origin{0, e.length, 0, 0, distances_[e.origin]};
-    const Window head{0, e.length, e.length, 0, distances_[mesh_.head(h)]};
-    const Window apex{0, e.length, e.apex_x, e.apex_y, distances_[mesh_.apex(h)]};
-    for (const Window& lines : {origin, head, apex}) {
-      drop_if([&](const Window& w) { return lines_beat(lines, w, rounding_); });
-    }
-  }
-
-  [[gnu::noinline]] void drop_if(const auto& is_beaten) {
-    for (std::size_t i = 0; i < batch_.count; ++i) {
-      if (!batch_.is_struck_out(i) && is_beaten(batch_.window(i))) batch_.strike_out(i);
+      if (is_strip_too_long(budget_.face_count(), depth_of(i))) batch_.strike_out(i);
     }
   }
 
@@ -248,7 +224,6 @@ class ListCrossing {
   WindowLists lists_;
   WindowBudget budget_;
   double rounding_;  // of coordinates
-  StartLines start_lines_;
   // Scratch memory for one list.
   Batch batch_;
   Marks kept_left_, kept_right_;

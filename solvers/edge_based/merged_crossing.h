@@ -35,7 +35,6 @@ class MergedCrossing {
     lists_.start(distances);
     budget_.start();
   }
-  void start_across(const StartWindow& /*start*/) {}
   void follow_edge(Index from, Index to) {
     lists_.shortfalls().set(to, lists_.shortfalls().of(from));
   }

@@ -183,7 +183,8 @@ class MergedLists {
 
   /// Whether a path over an end of the edge beats a window, or no shortest path has its strip.
   bool is_useless(const Window& window, Strip strip, const EndpointBounds& bounds) const {
-    return bounds.beat(window) || is_strip_too_long(mesh_, strip.depth + std::uint64_t{1});
+    return bounds.beat(window) ||
+           is_strip_too_long(mesh_.face_count(), strip.depth + std::uint64_t{1});
   }
 
  private:

@@ -5,7 +5,6 @@
 // half-edges and propagates it across faces. A Crossing has
 //
 //   start(distances)            discards the last solve
-//   start_across(start)         a source sends this window, which `emit` follows
 //   emit(side, from, distance, root, wavefront)
 //                               sends a window over the whole of a side out of its face, into all
 //                               others; `from` in the frame of the side's twin, `root` as in
@@ -91,7 +90,6 @@ class Wavefront {
   /// Starts with a window.
   [[gnu::cold, gnu::noinline]] void begin_across(const StartWindow& start) {
     const auto& [side, w, root] = start;
-    crossing_.start_across(start);
     crossing_.emit(side, {w.x, w.y}, w.sigma, root, *this);
   }
 

@@ -73,27 +73,5 @@ TEST(Start, next_to_a_corner_lets_the_corner_emit_and_nearer_than_rounding_it_al
   EXPECT_TRUE(at.windows.empty());
 }
 
-// From (1, 0.5) in the face below the diagonal, across which windows return.
-TEST(StartLines, beat_only_lines_that_are_as_long_everywhere_and_have_the_same_sigma) {
-  const Start start = from(point_in_face(plate, 0, {0.5, 0.25, 0.25}));
-  StartLines lines;
-  EXPECT_TRUE(lines.empty());
-  for (const StartWindow& each : start.windows) {
-    lines.add(each, plate.half_edge(each.side).length);
-  }
-  const auto diagonal = std::ranges::find_if(
-      start.windows, [](const StartWindow& each) { return plate.twin(each.side) != kNone; });
-  ASSERT_NE(diagonal, start.windows.end());
-  const double length = plate.half_edge(diagonal->side).length;
-  const Window& out = diagonal->window;
-  const Window mirrored{0, length, length - out.x, out.y, out.sigma};  // as far from every point
-  const auto beaten = [&](const Window& w) { return lines.beat(w, diagonal->side, 0); };
-  EXPECT_TRUE(beaten(mirrored));
-  EXPECT_TRUE(beaten({0, length, mirrored.x, 2 * out.y, out.sigma}));
-  EXPECT_FALSE(beaten({0, length, mirrored.x, 0.9 * out.y, out.sigma})) << "shorter";
-  EXPECT_FALSE(beaten({0, length, mirrored.x + 0.1, out.y, out.sigma})) << "shorter at one end";
-  EXPECT_FALSE(beaten({0, length, mirrored.x, 2 * out.y, out.sigma + 1})) << "of a pseudo-source";
-}
-
 }  // namespace
 }  // namespace geodesic

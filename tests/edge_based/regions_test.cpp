@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -160,6 +161,29 @@ TEST(RegionalWavefront, gives_the_distances_of_the_serial_one_but_for_rounding) 
       if (serial[v] == regional[v]) continue;
       ASSERT_NEAR(regional[v], serial[v], 1e-14 * serial[v]) << "vertex " << v;
     }
+  }
+}
+
+// A window may cross more faces than its region has, but not more than the mesh. Only on meshes
+// with thin faces are they counted.
+TEST(RegionalWavefront, sends_windows_through_more_thin_faces_than_a_region_has) {
+  constexpr Index kCells = 300;
+  TriangleSoup plate;  // 1 by 1
+  for (Index i = 0; i <= kCells; ++i) {
+    const double x = i / double{kCells};
+    plate.positions.insert(plate.positions.end(), {{x, 0, 0}, {x, 1, 0}});
+  }
+  for (Index i = 0; i < 2 * kCells; i += 2) {
+    plate.triangles.push_back({i, i + 2, i + 1});
+    plate.triangles.push_back({i + 2, i + 3, i + 1});
+  }
+  const Mesh mesh(plate);
+  ASSERT_TRUE(mesh.has_thin_faces());
+  const auto distances =
+      distances_by("edge-based?threads=2&region-size=30", mesh, {.sources = {{0}}});
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3& at = plate.positions[v];
+    ASSERT_NEAR(distances[v], std::hypot(at[0], at[1]), 1e-13) << "vertex " << v;
   }
 }
 

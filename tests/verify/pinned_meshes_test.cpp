@@ -51,6 +51,7 @@ const std::vector<Pin> kPins = {
     {"seed-407-mesh-6242", 19, "ch, ich, fwp-ch: 1.4e-4"},
     // Lines from a vertex wind around the tip of needles, each turn shorter by rounding.
     {"seed-404-mesh-7724", 7, "edge-based, ich, fwp-ch: 1e-11"},
+    {"seed-403-mesh-8580", 45, "edge-based, ich, fwp-ch: 2e-12"},
 };
 
 std::ostream& operator<<(std::ostream& out, const Pin& pin) {

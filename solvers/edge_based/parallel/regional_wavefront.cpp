@@ -21,8 +21,6 @@ namespace {
 /// Distance from the least waiting key to a step's threshold, in mean edge lengths.
 constexpr double kStep = 0.5;
 
-constexpr unsigned kFields = fields_with(Carried::nothing);
-
 /// The messages of one region to another in a step.
 struct Mail {
   struct Distance {
@@ -45,9 +43,10 @@ struct Mail {
     windows.clear();
     numbers.clear();
   }
-  void add(Index half_edge, const Segment& segment) {
+  /// @param fields number of fields of a window
+  void add(Index half_edge, const Segment& segment, unsigned fields) {
     windows.push_back({half_edge, segment.place, segment.count});
-    for (unsigned f = 0; f < kFields; ++f) {
+    for (unsigned f = 0; f < fields; ++f) {
       numbers.insert(numbers.end(), segment.array(f), segment.array(f) + segment.count);
     }
   }
@@ -110,13 +109,13 @@ class RegionalWavefront::Steps {
 
 class RegionalWavefront::RegionAtWork {
  public:
-  RegionAtWork(const Region& region, InstructionSet set, double rounding,
+  RegionAtWork(const Region& region, InstructionSet set, Carried carried, double rounding,
                const WindowBudget& budget, Steps& steps)
       : region_(region),
         steps_(steps),
+        fields_(fields_with(carried)),
         wavefront_(region.mesh, ByDistance::make_queue(region.mesh),
-                   ListCrossing(region.mesh, set, Carried::nothing, rounding, budget),
-                   NoRecorder()),
+                   ListCrossing(region.mesh, set, carried, rounding, budget), NoRecorder()),
         distances_(region.mesh.vertex_count()),
         known_(region.vertices.size() - region.first_shared),
         mail_(region.neighbours.size()) {}
@@ -193,7 +192,7 @@ class RegionalWavefront::RegionAtWork {
       for (const Mail::Windows& windows : mail.windows) {
         Segment* segment = lists.allocate(windows.count);
         segment->count = windows.count;
-        for (unsigned f = 0; f < kFields; ++f, numbers += windows.count) {
+        for (unsigned f = 0; f < fields_; ++f, numbers += windows.count) {
           std::copy_n(numbers, windows.count, segment->array(f));
         }
         lists.add(windows.half_edge, segment, windows.place);
@@ -231,13 +230,14 @@ class RegionalWavefront::RegionAtWork {
       // Segments at the front go in reverse: the receiver, whose list may hold windows, restores
       // the order.
       std::reverse(landed_.begin(), std::ranges::find(landed_, Place::back, &Segment::place));
-      for (const Segment* segment : landed_) mail.add(beyond.number, *segment);
+      for (const Segment* segment : landed_) mail.add(beyond.number, *segment, fields_);
       lists.consume(portal, [](const Segment&) {});
     });
   }
 
   const Region& region_;
   Steps& steps_;
+  unsigned fields_;  // of a window
   Wavefront<ListCrossing, ByDistance::Queue, NoRecorder> wavefront_;
   std::vector<double> distances_;
   std::vector<double> known_;           // distance of each shared vertex that all copies know
@@ -257,7 +257,8 @@ RegionalWavefront::RegionalWavefront(const Mesh& mesh, InstructionSet set, unsig
     team.share(
         thread, regions_.size(), team.in_equal_parts(regions_.size()),
         [&](std::size_t r) {
-          at_work_[r] = std::make_unique<RegionAtWork>(regions_[r], set, rounding, budget, *steps_);
+          at_work_[r] = std::make_unique<RegionAtWork>(regions_[r], set, carried_on(mesh), rounding,
+                                                       budget, *steps_);
         },
         [] {});
   });

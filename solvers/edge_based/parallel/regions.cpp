@@ -92,7 +92,6 @@ class RegionBuilder {
   Mesh::Part part_of(std::span<const Index> own, Index r, std::vector<InRegion>& beyond) const {
     Mesh::Part part;
     part.faces = static_cast<Index>(own.size());
-    part.has_thin_faces = mesh_.has_thin_faces();
     part.mean_edge_length = mesh_.mean_edge_length();
     std::vector<HalfEdge>& half_edges = part.half_edges;
     std::vector<HalfEdge> portals;

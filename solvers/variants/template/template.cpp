@@ -97,7 +97,7 @@ class Unfolding final : public Solver {
   void land(Index h, Index root, Index faces, const Window& w) {
     const HalfEdge& edge = mesh().half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
-    if (is_strip_too_long(mesh(), faces + 1)) return;
+    if (is_strip_too_long(mesh().face_count(), faces + 1)) return;
     windows_.push_back({edge.twin, root, faces, w});
   }
 
