@@ -402,8 +402,9 @@ def ci(checkout: Path) -> Callable[..., Ended]:
             stem = Path(name).stem
             before = made if name == "run_tests.sh" else ""
             program(checkout / name, f'{before}echo "{stem}: $*"; exit {ends.get(stem, 0)}')
-        ccache = program(checkout / "bin" / "ccache", "exit 1")
-        return run(checkout / ".ci" / script, env=before_others(ccache))
+        program(checkout / "bin" / "ccache", "exit 1")
+        debootstrap = program(checkout / "bin" / "debootstrap", "exit 1")
+        return run(checkout / ".ci" / script, env=before_others(debootstrap))
 
     return start
 
