@@ -219,20 +219,28 @@ class DistanceSolver {
                     const ThroughOptions& options = {}) {
     return path_through(std::span(points.begin(), points.size()), options);
   }
-  Path path_through(std::span<const SurfacePoint> points, const ThroughOptions& options = {}) {
-    return geodesic::path_through(solver_.solver(), *mesh_, points, options);
+  /// @param points a range of vertices (of any type of integers) or of SurfacePoint
+  /// @throws as above
+  template <std::ranges::input_range Points>
+  Path path_through(Points&& points, const ThroughOptions& options = {}) {
+    std::vector<SurfacePoint> all;
+    for (const auto& point : points) all.push_back(point_at(point, ""));
+    return geodesic::path_through(solver_.solver(), *mesh_, all, options);
   }
 
  private:
-  static Source source_at(const SurfacePoint& point) { return {.at = point}; }
   static Source source_at(const Source& source) { return source; }
-  Source source_at(std::integral auto vertex) const {
+  Source source_at(const auto& point) const { return {.at = point_at(point, "source ")}; }
+
+  /// @param kind begins the message
+  static SurfacePoint point_at(const SurfacePoint& point, const char* /*kind*/) { return point; }
+  SurfacePoint point_at(std::integral auto vertex, const char* kind) const {
     if (!std::in_range<Index>(vertex)) {
-      throw std::invalid_argument("source vertex " + std::to_string(vertex) +
+      throw std::invalid_argument(kind + ("vertex " + std::to_string(vertex)) +
                                   " is not in the mesh of " +
                                   std::to_string(mesh_->vertex_count()) + " vertices");
     }
-    return {.at = static_cast<Index>(vertex)};
+    return static_cast<Index>(vertex);
   }
 
   std::shared_ptr<const Mesh> mesh_;

@@ -168,7 +168,7 @@ class Finder {
     };
     report_faces(
         DefectKind::index_out_of_range, census_.index_out_of_range,
-        "; the file has " + std::to_string(positions_.size()) + " vertices, counted here from 0");
+        "; the mesh has " + std::to_string(positions_.size()) + " vertices, counted here from 0");
     report_faces(DefectKind::repeated_vertex, census_.repeated_vertex, "");
     report_faces(DefectKind::repeated_face, census_.repeated_face, "");
     report_vertices(DefectKind::non_finite_coordinate,

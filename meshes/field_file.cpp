@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 #include "meshes/formats/bytes.h"
 #include "meshes/mesh_file.h"
@@ -47,6 +48,15 @@ std::string field_bytes(const TriangleSoup& soup, std::span<const double> distan
     throw MeshError("cannot write '" + file.string() + "': " + why);
   };
   if (!has_field_extension(file)) refuse("a mesh with distances is written as .ply or .vtk");
+  const std::size_t vertices = soup.positions.size();
+  const auto need = [&](std::size_t count, const std::string& kind) {
+    if (count == vertices) return;
+    throw std::invalid_argument("a mesh with distances needs one " + kind +
+                                " a vertex: " + std::to_string(count) + " for " +
+                                std::to_string(vertices) + " vertices");
+  };
+  need(distances.size(), "distance");
+  if (!sources.empty()) need(sources.size(), "source");
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max() / 4;
   if (soup.positions.size() > kMost || soup.triangles.size() > kMost) {
     refuse("the format numbers elements with 31 bits");

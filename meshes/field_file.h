@@ -22,6 +22,7 @@ bool has_field_extension(const std::filesystem::path& file);
 /// With sources, both have a number `source` too.
 /// @param sources one for each vertex, kNone (written as -1) where no path leads; may be empty
 /// @throws MeshError for another extension, and more elements than 31 bits number
+/// @throws std::invalid_argument for another number of distances or of sources
 std::string field_bytes(const TriangleSoup& soup, std::span<const double> distances,
                         std::span<const Index> sources, const std::filesystem::path& file);
 

@@ -144,6 +144,7 @@ Path Solver::trace(const Query& query, std::span<const double> distances, Index 
     refuse(description_, "has no means of its own to trace paths");
   }
   check_point(vertex, "target ", mesh_, description_);
+  if (distances.size() != mesh_.vertex_count()) refuse(description_, "needs one distance a vertex");
   if (!(distances[vertex] < kInfinity)) {
     refuse(description_, "no path leads to vertex " + std::to_string(vertex));
   }

@@ -120,7 +120,8 @@ class Solver {
   /// only as far as the solver's description says.
   /// @param query, distances query and result of the last solve of this object
   /// @throws std::invalid_argument when the solver lacks Abilities::traces, the mesh has no such
-  ///        vertex, or no path leads there; and any exception of the solver
+  ///        vertex, no path leads there, or `distances` has the wrong size; and any exception of
+  ///        the solver
   Path trace(const Query& query, std::span<const double> distances, Index vertex);
 
   /// Prepares an object that has answered a query for the next one, if its description says that it

@@ -90,6 +90,10 @@ Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
 
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) {
+    if (point.face != kNone) {
+      return "point is vertex " + std::to_string(point.vertex) + " and in face " +
+             std::to_string(point.face) + ": one of the two must be kNone";
+    }
     if (point.vertex < mesh.vertex_count()) return {};
     return not_in_mesh("vertex", point.vertex, mesh.vertex_count(), "vertices");
   }

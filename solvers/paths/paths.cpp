@@ -147,11 +147,17 @@ Path Paths::to_point(const SurfacePoint& point) const {
   return required(std::move(found), field_.mesh(), in_internal_numbers(field_.mesh(), point));
 }
 
+const AtTarget& Paths::target(std::size_t i) const {
+  if (i < targets_.size()) return targets_[i];
+  throw std::invalid_argument("target " + std::to_string(i) + " is not in the query of " +
+                              std::to_string(targets_.size()) + " targets");
+}
+
 std::optional<Path> Paths::find_to_target(std::size_t i) const {
-  const AtTarget& target = targets_.at(i);
-  if (target.distance == kInfinity) return std::nullopt;
-  return trace_path(field_, last_segments_, field_.query().targets[i], target.distance,
-                    target.last_segment);
+  const AtTarget& wanted = target(i);
+  if (wanted.distance == kInfinity) return std::nullopt;
+  return trace_path(field_, last_segments_, field_.query().targets[i], wanted.distance,
+                    wanted.last_segment);
 }
 
 Path Paths::to_target(std::size_t i) const {

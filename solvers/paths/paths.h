@@ -33,11 +33,13 @@ class Paths {
   /// @throws std::invalid_argument if the recording has no paths or is of another query or mesh
   Paths(const Mesh& mesh, const Query& query, std::vector<double> distances, Recording recording);
 
+  const Mesh& mesh() const { return field_.mesh(); }
   /// Distances of all vertices, as from Solver::solve.
   const std::vector<double>& distances() const& { return field_.by_external_number(); }
   const std::vector<double>& distances() const&& = delete;
   /// Distance of the query's target i, as exact as those of the vertices; infinite if unreachable.
-  double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
+  /// @throws std::invalid_argument if the query has no such target
+  double distance_to_target(std::size_t i) const { return target(i).distance; }
   /// Distance of any point, without another solve; infinite if no path within the query's limit
   /// exists. It is as exact as the distances of the vertices. With kept windows it takes a
   /// microsecond. Without them the path is searched from its end, over the faces around it, and
@@ -66,6 +68,7 @@ class Paths {
   /// @throws std::runtime_error if the recording does not describe a path of this mesh
   Path to_vertex(Index v) const { return to_point(SurfacePoint(v)); }
   /// Returns the path to target i of the query, as to_vertex.
+  /// @throws std::invalid_argument if the query has no such target, or no path leads there
   Path to_target(std::size_t i) const;
   /// Returns the path to any point, which is searched as in `distance_at`.
   Path to_point(const SurfacePoint& point) const;
@@ -85,6 +88,7 @@ class Paths {
  private:
   // Vertices and half-edges have the mesh's internal numbers.
   InternalPoint checked(const SurfacePoint& point) const;
+  const AtTarget& target(std::size_t i) const;
   /// `answer(point)` for each point, as distances_at.
   template <typename Answer>
   auto for_each(std::span<const SurfacePoint> points, const BeforeSome& before_some,

@@ -63,9 +63,13 @@ TEST(SurfacePoint, that_is_not_on_the_mesh_is_refused_with_the_reason) {
             "point in face 0 has the weights 0.5, 0.5, 0.5: none may be negative, their sum must "
             "be 1, and at most one may be 0");
   EXPECT_EQ(defect_of(mesh, SurfacePoint()), "point is neither a vertex nor in a face");
+  SurfacePoint both = unnormalised;
+  both.vertex = 3;
+  EXPECT_EQ(defect_of(mesh, both), "point is vertex 3 and in face 0: one of the two must be kNone");
   SurfacePoint elsewhere = unnormalised;
   elsewhere.face = 2;
-  for (const SurfacePoint& point : {unnormalised, elsewhere, SurfacePoint(), SurfacePoint(4)}) {
+  for (const SurfacePoint& point :
+       {unnormalised, both, elsewhere, SurfacePoint(), SurfacePoint(4)}) {
     EXPECT_EQ(message_of<std::invalid_argument>([&] { position_of(mesh, point); }),
               defect_of(mesh, point));
   }

@@ -224,6 +224,19 @@ TEST(DistanceSolver, joins_the_paths_through_points) {
                std::invalid_argument);
 }
 
+TEST(DistanceSolver, joins_the_paths_through_any_list_of_vertices_and_points) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const double length = solver.path_through({3, 40, 7}).length();
+  EXPECT_EQ(solver.path_through(std::vector<int>{3, 40, 7}).length(), length);
+  EXPECT_EQ(solver.path_through(std::vector<std::size_t>{3, 40, 7}).length(), length);
+  EXPECT_EQ(solver.path_through(std::vector<SurfacePoint>{3, 40, 7}).length(), length);
+  EXPECT_EQ(refusal([&] {
+              solver.path_through(std::vector<int>{3, -1});
+            }),
+            "vertex -1 is not in the mesh of " + std::to_string(mesh.vertex_count()) + " vertices");
+}
+
 TEST(Field, has_isolines_that_close_on_a_closed_surface) {
   const SurfaceMesh mesh = read_sphere();
   for (const char* solver : {"edge-based", "dijkstra"}) {

@@ -41,7 +41,7 @@ TEST(Defects, OfEveryKindAreCountedAndTheFirstIsNamed) {
   expect_only(
       kTwoFaces + "f 1 2 9\nf 0 1 2\n", index_out_of_range,
       "2 faces that name a vertex that does not exist (first: face 2 (line 7) of vertices 0, "
-      "1, 8; the file has 4 vertices, counted here from 0)");
+      "1, 8; the mesh has 4 vertices, counted here from 0)");
   expect_only(
       kTwoFaces + "f 1 2 2\n", repeated_vertex,
       "1 face of fewer than three different vertices (first: face 2 (line 7) of vertices 0, 1, 1)");

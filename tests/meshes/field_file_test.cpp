@@ -63,5 +63,17 @@ TEST(FieldFile, of_another_suffix_is_refused) {
             "cannot write 'a.obj': a mesh with distances is written as .ply or .vtk");
 }
 
+TEST(FieldFile, of_another_number_of_distances_or_sources_is_refused) {
+  const std::string end = " a vertex: 1 for " + std::to_string(kFar.size()) + " vertices";
+  for (const char* file : {"a.ply", "a.vtk"}) {
+    EXPECT_EQ(message_of<std::invalid_argument>(
+                  [&] { field_bytes(kPlate, std::vector<double>(1), {}, file); }),
+              "a mesh with distances needs one distance" + end);
+    EXPECT_EQ(message_of<std::invalid_argument>(
+                  [&] { field_bytes(kPlate, kFar, std::vector<Index>(1), file); }),
+              "a mesh with distances needs one source" + end);
+  }
+}
+
 }  // namespace
 }  // namespace geodesic

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "harness/verify/path_check.h"
 #include "meshes/connectivity.h"
@@ -197,7 +199,22 @@ TEST(Paths, are_refused_where_none_leads) {
   EXPECT_EQ(refused(8), "vertex 8 is not in the mesh of 8 vertices");
   EXPECT_EQ(paths.nearest_source(5), kNone);
   EXPECT_THROW(paths.nearest_source(8), std::invalid_argument);
-  EXPECT_THROW(paths.to_target(0), std::out_of_range);
+  for (const auto& call : std::vector<std::function<void()>>{
+           [&] { paths.to_target(0); }, [&] { paths.find_to_target(0); },
+           [&] { paths.distance_to_target(0); }}) {
+    EXPECT_EQ(message_of<std::invalid_argument>(call), "target 0 is not in the query of 0 targets");
+  }
+}
+
+TEST(Paths, traced_by_a_solver_need_one_distance_for_each_vertex) {
+  const Mesh mesh(kSquare);
+  const Query query{.sources = {{.at = 0}}};
+  std::vector<double> distances(mesh.vertex_count());
+  const auto solver = make_solver("dijkstra", mesh);
+  solver->solve(query, distances);
+  distances.pop_back();
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { solver->trace(query, distances, 2); }),
+            "dijkstra: needs one distance a vertex");
 }
 
 TEST(Paths, need_a_recording_of_their_own_query) {

@@ -140,6 +140,14 @@ TEST(LogMap, goes_through_the_angles_of_a_cone) {
   }
 }
 
+TEST(LogMap, of_the_paths_of_another_mesh_is_refused) {
+  const Mesh mesh(plane()), other(kTetrahedron);
+  const auto solver = make_solver("edge-based", mesh);
+  const Paths paths = solve_paths(*solver, mesh, {.sources = {{.at = 0}}});
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { log_map(other, paths); }),
+            "the paths are of another mesh");
+}
+
 // A path without a bend is the straightest line in the direction in which it leaves.
 TEST(LogMap, leads_every_straightest_line_to_its_vertex) {
   int straight = 0;
