@@ -143,7 +143,7 @@ class Field {
 
   /// Polar coordinates of every vertex around its nearest source: solvers/paths/straightest.h.
   /// @throws std::invalid_argument when the solver does not remember paths, and as log_map
-  std::vector<PolarCoordinates> log_map() const { return geodesic::log_map(*mesh_, paths()); }
+  std::vector<PolarCoordinates> log_map() const { return geodesic::log_map(paths()); }
   /// `count` levels between 0 and the largest finite distance: `equal_levels`.
   std::vector<double> levels(Index count) const { return equal_levels(distances(), count); }
 

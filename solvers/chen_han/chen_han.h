@@ -6,6 +6,7 @@
 //   make_queue(mesh)   an empty one; with (mesh, description), it reads parameters (queue_of.h)
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -48,7 +49,7 @@ class ChenHan final : public Solver {
   /// A recorded solve; defined in recorded.h, like the next function.
   void solve_recorded(const Start& start, std::span<double> distances, Recording& recording) const;
   /// A timed solve with windows that store the length of their strip (core/window_bound.h).
-  void solve_with_strip_lengths(const Start& start, std::span<double> distances) const;
+  void solve_with_strip_lengths(const Start& start, std::span<double> distances);
 
   void run(const Start& start, std::span<double> distances) override {
     if (!timed_.has_value()) return solve_with_strip_lengths(start, distances);
@@ -59,8 +60,9 @@ class ChenHan final : public Solver {
     solve_recorded(start, distances, recording);
   }
 
-  // Empty on meshes with thin faces.
+  // On meshes with thin faces only the second one is used. It is made in recorded.h.
   std::optional<Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder>> timed_;
+  std::unique_ptr<Propagation<Policy, StripDepth, NoRecorder>> timed_with_lengths_;
 };
 
 }  // namespace geodesic::chen_han

@@ -387,7 +387,6 @@ class Propagation {
   double limit_ = kInfinity;
   StopRule stop_rule_;
   bool stops_ = false;            // the query stops at targets
-                                  // index of the next source to start from
   PrefetchPipeline<3> pipeline_;  // slots in the stages of prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;

@@ -5,32 +5,32 @@
 
 namespace geodesic::chen_han {
 
-template <class Depth, class Policy, class Recorder>
-void solve_once(const Solver& solver, const Start& start, std::span<double> distances,
-                const Recorder& recorder) {
-  const Mesh& mesh = solver.mesh();
-  Propagation<Policy, Depth, Recorder>(mesh, queue_of<Policy>(mesh, solver.description()), recorder)
-      .run(start, distances);
-}
-
 template <class Policy>
 void ChenHan<Policy>::solve_recorded(const Start& start, std::span<double> distances,
                                      Recording& recording) const {
   solve_recording(mesh(), start.query, distances, recording, [&](auto recorder) {
     using Recorder = decltype(recorder);
     recorder.window_bytes(sizeof(StoredWindow<NoDepth>));
+    const auto solve_with = [&]<class Depth>(Depth) {
+      Propagation<Policy, Depth, Recorder>(mesh(), queue_of<Policy>(mesh(), description()),
+                                           recorder)
+          .run(start, distances);
+    };
     if (mesh().has_thin_faces()) {
-      solve_once<StripDepth, Policy>(*this, start, distances, recorder);
+      solve_with(StripDepth());
     } else {
-      solve_once<DepthOf<Policy, Recorder>, Policy>(*this, start, distances, recorder);
+      solve_with(DepthOf<Policy, Recorder>());
     }
   });
 }
 
 template <class Policy>
-void ChenHan<Policy>::solve_with_strip_lengths(const Start& start,
-                                               std::span<double> distances) const {
-  solve_once<StripDepth, Policy>(*this, start, distances, NoRecorder());
+void ChenHan<Policy>::solve_with_strip_lengths(const Start& start, std::span<double> distances) {
+  if (timed_with_lengths_ == nullptr) {
+    timed_with_lengths_ = std::make_unique<Propagation<Policy, StripDepth, NoRecorder>>(
+        mesh(), queue_of<Policy>(mesh(), description()));
+  }
+  timed_with_lengths_->run(start, distances);
 }
 
 }  // namespace geodesic::chen_han

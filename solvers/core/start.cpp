@@ -1,10 +1,8 @@
 #include "solvers/core/start.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "solvers/core/tolerance.h"
-#include "solvers/core/window_predicates.h"
 
 namespace geodesic {
 namespace {

@@ -402,9 +402,9 @@ StraightestLine trace_straightest(const Mesh& mesh, const SurfacePoint& begin, d
                   length);
 }
 
-std::vector<PolarCoordinates> log_map(const Mesh& mesh, const Paths& paths) {
+std::vector<PolarCoordinates> log_map(const Paths& paths) {
+  const Mesh& mesh = paths.mesh();
   refuse_crossed(mesh);
-  if (&mesh != &paths.mesh()) throw std::invalid_argument("the paths are of another mesh");
   const std::vector<double>& distances = paths.distances();
   std::vector<PolarCoordinates> map(distances.size());
   std::map<Index, Directions> around;  // by vertex that is a source

@@ -55,8 +55,8 @@ struct PolarCoordinates {
 
 /// The discrete logarithmic map: polar coordinates of every vertex, by external number. Beyond a
 /// saddle vertex, where paths bend, all vertices of its shadow have the angle of the path to it.
-/// @throws std::invalid_argument for a mesh whose paths cross non-manifold edges, paths of another
-///         mesh, and a source at an end of an edge without a length
-std::vector<PolarCoordinates> log_map(const Mesh& mesh, const Paths& paths);
+/// @throws std::invalid_argument for a mesh whose paths cross non-manifold edges, and for a source
+///         at an end of an edge without a length
+std::vector<PolarCoordinates> log_map(const Paths& paths);
 
 }  // namespace geodesic

@@ -252,7 +252,7 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
     if (problem.flags.nearest_source) nearest = solved.paths->nearest_sources();
     std::vector<double> angles;
     if (problem.flags.angles) {
-      for (const PolarCoordinates& at : log_map(problem.mesh, *solved.paths)) {
+      for (const PolarCoordinates& at : log_map(*solved.paths)) {
         angles.push_back(at.angle);
       }
     }
