@@ -87,7 +87,10 @@ std::vector<Vec3> Field::gradients(std::span<const SurfacePoint> points,
 }
 
 const Paths& Field::paths() const {
-  if (!paths_) throw std::invalid_argument(solver_ + " does not remember paths");
+  if (!paths_) {
+    throw std::invalid_argument(
+        solver_ + " does not remember paths: take another solver, such as edge-based");
+  }
   return *paths_;
 }
 

@@ -34,7 +34,8 @@ void find_path(const PathFlags& flags) {
     if (!unable.empty()) throw HarnessError(unable);
     const std::unique_ptr<Solver> solver = make_solver(flags.solver, *built.mesh);
     if (!solver->description().abilities.paths) {
-      throw HarnessError(solver->description().name + " does not remember paths");
+      throw HarnessError(solver->description().name +
+                         " does not remember paths: take another solver, such as edge-based");
     }
     const Path path = path_through(*solver, *built.mesh, points, flags.how);
     if (!flags.output.empty()) write_bytes(flags.output, path_bytes({{path}}, flags.output));

@@ -90,7 +90,7 @@ CASES = [
     of("path", "hill.obj", "--through is required"),
     flag("geodesic-bench path hill.obj --through 0", "at least two"),
     flag("geodesic-bench path hill.obj --through 0,99", "--through 99: vertex 99 is not in the mesh"),
-    flag("geodesic-bench path hill.obj --through 0,1 --solver dijkstra", "dijkstra does not remember paths"),
+    flag("geodesic-bench path hill.obj --through 0,1 --solver dijkstra", "remember paths: take another solver"),
     flag("geodesic-bench path hill.obj --through 0,1,2 --closed --straighten", "the loop shrinks to a point"),
     of("trace", "hill.obj --length 1", "--from is required"),
     flag("geodesic-bench trace hill.obj --from 0 --length 1", "one of --direction and --angle is needed"),

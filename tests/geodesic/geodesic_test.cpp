@@ -390,8 +390,10 @@ TEST(DistanceSolver, says_in_one_line_what_it_cannot_do) {
   const Field field = solver.from({0}), without_paths = dijkstra.from({0});
   const std::string many = std::to_string(mesh.vertex_count());
   const std::string missing = "vertex 9999 is not in the mesh of " + many + " vertices";
-  EXPECT_EQ(refusal([&] { without_paths.path_to(3); }), "dijkstra does not remember paths");
-  EXPECT_EQ(refusal([&] { without_paths.nearest_source(3); }), "dijkstra does not remember paths");
+  const std::string no_paths =
+      "dijkstra does not remember paths: take another solver, such as edge-based";
+  EXPECT_EQ(refusal([&] { without_paths.path_to(3); }), no_paths);
+  EXPECT_EQ(refusal([&] { without_paths.nearest_source(3); }), no_paths);
   EXPECT_EQ(refusal([&] { field.at(9999); }), missing);
   EXPECT_EQ(refusal([&] { without_paths.at(9999); }), missing);
   EXPECT_EQ(refusal([&] { field.path_to(9999); }), missing);

@@ -147,7 +147,7 @@ def test_a_solver_without_paths_has_the_distances_of_a_field_and_refuses_its_pat
     np.testing.assert_array_equal(field.at([99, 5]), field.distances[[99, 5]])
     asks: list[Callable[[], Any]] = [lambda: field.nearest, lambda: field.path_to(3), lambda: field.paths_to([3])]
     for ask in asks:
-        with pytest.raises(ValueError, match="^dijkstra does not remember paths$"):
+        with pytest.raises(ValueError, match="^dijkstra does not remember paths: take another solver"):
             ask()
 
 
